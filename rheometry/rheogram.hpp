@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace searle::rheometry {
+
+/// One point of a flow curve. Rate and stress carry the conversion's definition.
+struct RheogramPoint {
+    double time{};         ///< s
+    double speed{};        ///< rad/s (m/s for the box)
+    double torque{};       ///< N m (N for the box)
+    double shear_rate{};   ///< 1/s
+    double shear_stress{}; ///< Pa
+    double viscosity{};    ///< shear_stress / shear_rate, Pa s; NaN at zero rate
+    double stress_error{}; ///< numerical error estimate of shear_stress, Pa, >= 0
+    std::string regime;    ///< names joined by '+', see solvers/regime.hpp
+    double steady_stress{};     ///< shear stress without inertia at this speed, Pa
+    double bob_shear_rate{};    ///< true shear rate of the steady flow at the rotor's wall, 1/s
+    double yield_radius{};      ///< see TorqueRow
+};
+
+struct Rheogram {
+    std::vector<RheogramPoint> points;
+};
+
+} // namespace searle::rheometry

@@ -1,0 +1,28 @@
+#include "rheometry/speed_history.hpp"
+
+#include <algorithm>
+
+namespace searle::rheometry {
+namespace {
+
+const SpeedHistory::Piece& piece_at(const std::vector<SpeedHistory::Piece>& pieces, double time) {
+    const auto found = std::lower_bound(
+        pieces.begin(), pieces.end(), time,
+        [](const SpeedHistory::Piece& piece, double t) { return piece.end_time < t; });
+    return found == pieces.end() ? pieces.back() : *found;
+}
+
+} // namespace
+
+double SpeedHistory::speed_at(double time) const {
+    const Piece& piece = piece_at(pieces, time);
+    const double fraction = (time - piece.start_time) / (piece.end_time - piece.start_time);
+    return piece.start_speed + fraction * (piece.end_speed - piece.start_speed);
+}
+
+double SpeedHistory::acceleration_at(double time) const {
+    const Piece& piece = piece_at(pieces, time);
+    return (piece.end_speed - piece.start_speed) / (piece.end_time - piece.start_time);
+}
+
+} // namespace searle::rheometry

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "geometry/instrument.hpp"
+#include "laws/flow/flow_law.hpp"
+#include "rheometry/conversion/conversion.hpp"
+#include "rheometry/protocol.hpp"
+
+#include <string>
+
+namespace searle::solvers {
+
+struct Fluid {
+    laws::flow::AnyFlowLaw law;
+    double density{}; ///< kg/m^3, > 0
+};
+
+enum class Engine { native, openfoam };
+enum class Model { automatic, radial, axisymmetric, three_dimensional };
+enum class Switch { automatic, on, off };
+
+struct SolverSettings {
+    Engine engine = Engine::native;
+    Model model = Model::automatic;
+    /// Asked-for relative error of every shear stress, 1e-10 <= accuracy < 1.
+    double accuracy = 1e-3;
+    Switch secondary_flow = Switch::automatic;
+};
+
+struct OutputSettings {
+    bool fields = false;
+};
+
+/// Everything that a case file says, in SI units, valid as checked by the case reader.
+struct Scene {
+    std::string title;
+    geometry::Instrument instrument;
+    Fluid fluid;
+    rheometry::Protocol protocol;
+    rheometry::ConversionSettings conversion;
+    SolverSettings solver;
+    OutputSettings output;
+};
+
+} // namespace searle::solvers
