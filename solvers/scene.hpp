@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/instrument.hpp"
+#include "geometry/mesh_settings.hpp"
 #include "laws/flow/flow_law.hpp"
 #include "rheometry/conversion/conversion.hpp"
 #include "rheometry/protocol.hpp"
@@ -39,6 +40,9 @@ struct Scene {
     rheometry::ConversionSettings conversion;
     SolverSettings solver;
     OutputSettings output;
+    geometry::MeshSettings mesh;
+    /// The case has [particles] or [coupling], which this version reads and checks but cannot run.
+    bool has_particles = false;
 };
 
 } // namespace searle::solvers
