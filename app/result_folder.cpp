@@ -1,0 +1,211 @@
+#include "app/result_folder.hpp"
+
+#include "app/interrupt.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <fcntl.h>
+#include <string_view>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace searle::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, int error) {
+    throw OutputWriteError(
+        fmt::format("{} could not be written: {}; what was begun has been removed", path.string(),
+                    std::generic_category().message(error)));
+}
+
+/// Makes what is missing of a folder's path; removes it again unless kept.
+class MissingFolders {
+public:
+    explicit MissingFolders(const fs::path& folder) {
+        std::vector<fs::path> missing;
+        for (fs::path at = folder; !fs::exists(at); at = at.parent_path())
+            missing.push_back(at);
+        for (auto at = missing.rbegin(); at != missing.rend(); ++at) {
+            if (mkdir(at->c_str(), 0777) != 0 && errno != EEXIST)
+                fail(*at, errno);
+            made_.push_back(*at);
+        }
+    }
+    ~MissingFolders() {
+        for (auto at = made_.rbegin(); at != made_.rend(); ++at)
+            rmdir(at->c_str()); // leaves a folder that someone else has put something into
+    }
+    MissingFolders(const MissingFolders&) = delete;
+    MissingFolders& operator=(const MissingFolders&) = delete;
+    void keep() { made_.clear(); }
+
+private:
+    std::vector<fs::path> made_;
+};
+
+/// A hidden folder with a name of its own, removed with all that is in it.
+class StagingFolder {
+public:
+    StagingFolder(const fs::path& parent, std::string_view name) {
+        for (int attempt = 0;; ++attempt) {
+            path_ = parent / fmt::format(".{}.partial-{}-{}", name, getpid(), attempt);
+            if (mkdir(path_.c_str(), 0777) == 0)
+                return;
+            if (errno != EEXIST || attempt == 1000)
+                fail(path_, errno);
+        }
+    }
+    ~StagingFolder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    StagingFolder(const StagingFolder&) = delete;
+    StagingFolder& operator=(const StagingFolder&) = delete;
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_;
+};
+
+/// While it lives, a write beyond the file size limit is an error and no signal.
+class NoSizeSignal {
+public:
+    NoSizeSignal() { before_ = std::signal(SIGXFSZ, SIG_IGN); }
+    ~NoSizeSignal() { std::signal(SIGXFSZ, before_); }
+    NoSizeSignal(const NoSizeSignal&) = delete;
+    NoSizeSignal& operator=(const NoSizeSignal&) = delete;
+
+private:
+    void (*before_)(int) = nullptr;
+};
+
+void write_file(const fs::path& path, std::string_view content) {
+    const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (file < 0)
+        fail(path, errno);
+    int error = 0;
+    while (!content.empty() && error == 0) {
+        const ssize_t written = write(file, content.data(), content.size());
+        if (written > 0)
+            content.remove_prefix(static_cast<std::size_t>(written));
+        else if (errno != EINTR)
+            error = written == 0 ? ENOSPC : errno;
+    }
+    // On some file systems a full disk shows only here.
+    if (error == 0 && fsync(file) != 0)
+        error = errno;
+    if (close(file) != 0 && error == 0)
+        error = errno;
+    if (error != 0)
+        fail(path, error);
+}
+
+void write_all(const fs::path& folder, const std::vector<ResultFile>& files) {
+    for (const ResultFile& file : files) {
+        const fs::path path = folder / file.name;
+        std::error_code error;
+        fs::create_directories(path.parent_path(), error);
+        if (error)
+            fail(path.parent_path(), error.value());
+        write_file(path, file.content);
+    }
+}
+
+/// A folder that no other can be put in the place of.
+bool is_fixed(const fs::path& folder) {
+    struct stat own {};
+    struct stat parent {};
+    if (stat(folder.c_str(), &own) != 0 || stat(folder.parent_path().c_str(), &parent) != 0)
+        return false;
+    return own.st_dev != parent.st_dev || fs::equivalent(folder, fs::current_path()) ||
+           access(folder.parent_path().c_str(), W_OK | X_OK) != 0;
+}
+
+/// Moves the entries of `from` into `to`, in place of those of the same name; summary.json last.
+void move_entries(const fs::path& from, const fs::path& to) {
+    std::vector<fs::path> names;
+    for (const auto& entry : fs::directory_iterator(from))
+        names.push_back(entry.path().filename());
+    std::sort(names.begin(), names.end(), [](const fs::path& left, const fs::path& right) {
+        const bool left_last = left == "summary.json";
+        const bool right_last = right == "summary.json";
+        return left_last != right_last ? right_last : left < right;
+    });
+    for (const fs::path& name : names)
+        fs::rename(from / name, to / name);
+}
+
+void fill_fixed(const fs::path& folder, const std::vector<ResultFile>& files) {
+    const StagingFolder staging(folder, "new");
+    write_all(staging.path(), files);
+    std::vector<fs::path> old;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path() != staging.path())
+            old.push_back(entry.path());
+    for (const fs::path& path : old)
+        fs::remove_all(path);
+    move_entries(staging.path(), folder);
+}
+
+void put_in_place(const fs::path& folder, const std::vector<ResultFile>& files, Occupant occupant) {
+    MissingFolders parents(folder.parent_path());
+    const StagingFolder staging(folder.parent_path(), folder.filename().string());
+    write_all(staging.path(), files);
+    const unsigned how = occupant == Occupant::nothing   ? RENAME_NOREPLACE
+                         : occupant == Occupant::results ? RENAME_EXCHANGE
+                                                         : 0U;
+    // An exchange leaves the old results in the staging folder, which goes away with them.
+    int failed = renameat2(AT_FDCWD, staging.path().c_str(), AT_FDCWD, folder.c_str(), how);
+    if (failed != 0 && errno == EINVAL && how != 0U) { // a file system without such renames
+        if (occupant == Occupant::results) {
+            const StagingFolder old(folder.parent_path(), folder.filename().string());
+            fs::rename(folder, old.path());
+            fs::rename(staging.path(), folder);
+            failed = 0;
+        } else {
+            failed = std::rename(staging.path().c_str(), folder.c_str());
+        }
+    }
+    if (failed != 0 && (errno == EEXIST || errno == ENOTEMPTY))
+        throw OutputPlaceError(
+            fmt::format("{}: another program has put something there meanwhile", folder.string()));
+    if (failed != 0)
+        fail(folder, errno);
+    parents.keep();
+}
+
+} // namespace
+
+void write_result_folder(const fs::path& asked, const std::vector<ResultFile>& files,
+                         bool replace) try {
+    const SignalsHeld no_interrupt;
+    const NoSizeSignal no_size_signal;
+    const Occupant occupant = check_output_place(asked, replace);
+    const fs::path folder = settled_path(asked);
+    if (occupant != Occupant::nothing && is_fixed(folder))
+        fill_fixed(folder, files);
+    else
+        put_in_place(folder, files, occupant);
+} catch (const fs::filesystem_error& error) {
+    fail(asked, error.code().value());
+}
+
+void replace_file(const fs::path& file, const std::string& content) try {
+    const SignalsHeld no_interrupt;
+    const NoSizeSignal no_size_signal;
+    const fs::path target = settled_path(file);
+    const StagingFolder staging(target.parent_path(), target.filename().string());
+    write_file(staging.path() / "new", content);
+    fs::rename(staging.path() / "new", target);
+} catch (const fs::filesystem_error& error) {
+    fail(file, error.code().value());
+}
+
+} // namespace searle::app
