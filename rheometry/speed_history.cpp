@@ -1,11 +1,16 @@
 #include "rheometry/speed_history.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 namespace searle::rheometry {
 namespace {
 
 const SpeedHistory::Piece& piece_at(const std::vector<SpeedHistory::Piece>& pieces, double time) {
+    if (pieces.empty()) {
+        throw std::logic_error("a speed history without pieces has no speed");
+    }
     const auto found = std::lower_bound(
         pieces.begin(), pieces.end(), time,
         [](const SpeedHistory::Piece& piece, double t) { return piece.end_time < t; });
@@ -17,7 +22,8 @@ const SpeedHistory::Piece& piece_at(const std::vector<SpeedHistory::Piece>& piec
 double SpeedHistory::speed_at(double time) const {
     const Piece& piece = piece_at(pieces, time);
     const double fraction = (time - piece.start_time) / (piece.end_time - piece.start_time);
-    return piece.start_speed + fraction * (piece.end_speed - piece.start_speed);
+    // std::lerp meets both ends exactly.
+    return std::lerp(piece.start_speed, piece.end_speed, std::clamp(fraction, 0.0, 1.0));
 }
 
 double SpeedHistory::acceleration_at(double time) const {

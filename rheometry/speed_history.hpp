@@ -17,7 +17,8 @@ struct SpeedHistory {
 
     /// In order, without holes: each piece starts when the one before ends; the first at t = 0.
     std::vector<Piece> pieces;
-    /// Times of the rows, increasing, within the pieces; a time where two pieces meet belongs to the earlier one.
+    /// Times of the rows, increasing, within the pieces; a time where two pieces meet belongs to
+    /// the earlier one.
     std::vector<double> row_times;
     /// Speed that the flow is steady at before t = 0.
     double initial_speed{};
