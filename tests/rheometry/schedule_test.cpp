@@ -93,7 +93,8 @@ TEST(Schedule, many_short_holds_do_not_drift) {
 
 TEST(Schedule, steps_without_a_hold_are_a_steady_series) {
     const auto series =
-        schedule({.program = Steps{.speeds = {rate(4.0), drive(5.0), rate(0.0)}}}, four_per_radian);
+        schedule({.program = Steps{.speeds = {rate(4.0), drive(5.0), rate(0.0)}, .hold = {}}},
+                 four_per_radian);
     EXPECT_EQ(std::get<SteadySpeeds>(series).speeds, (std::vector<double>{1.0, 5.0, 0.0}));
 }
 
