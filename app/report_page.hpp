@@ -1,0 +1,27 @@
+#pragma once
+
+#include "app/case_reader.hpp"
+#include "app/summary_json.hpp"
+#include "rheometry/rheogram.hpp"
+
+#include <string>
+#include <vector>
+
+namespace searle::app {
+
+/// What a result folder holds, apart from its report: enough to make the report from.
+struct RunRecord {
+    RunSummary summary;
+    Case source; ///< read from case.toml; places of values are those of the summary
+    rheometry::Rheogram rheogram;
+    std::string csv; ///< the bytes of rheogram.csv
+};
+
+/// report.html of a run. The same record gives the same bytes.
+[[nodiscard]] std::string report_page(const RunRecord& record);
+
+/// report.html over a sweep; one record for each of the summary's runs, in order.
+[[nodiscard]] std::string overlay_page(const SweepSummary& summary,
+                                       const std::vector<RunRecord>& records);
+
+} // namespace searle::app

@@ -1,0 +1,60 @@
+#include "app/run_files.hpp"
+
+#include "app/run_summary.hpp"
+#include "rheometry/rheogram_csv.hpp"
+
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+
+namespace searle::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string csv_of(const SolvedCase& solved) {
+    std::ostringstream stream;
+    rheometry::write_rheogram_csv(stream, solved.rheogram,
+                                  rheometry::drive_columns(solved.source.scene.instrument));
+    return std::move(stream).str();
+}
+
+} // namespace
+
+RunRecord record_of(const SolvedCase& solved, const std::string& created) {
+    return {.summary = run_summary(solved, created),
+            .source = solved.source,
+            .rheogram = solved.rheogram,
+            .csv = csv_of(solved)};
+}
+
+std::vector<ResultFile> files_of(const RunRecord& record, const std::string& prefix) {
+    return {{prefix + "case.toml", record.source.resolved_toml},
+            {prefix + "report.html", report_page(record)},
+            {prefix + "rheogram.csv", record.csv},
+            {prefix + "summary.json", summary_json(record.summary)}};
+}
+
+std::string text_of_file(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    if (!stream.is_open() || stream.bad() || fs::is_directory(file))
+        throw std::runtime_error(file.string() + ": cannot be read");
+    return text;
+}
+
+RunRecord read_record(const fs::path& folder) {
+    RunRecord record;
+    record.summary = read_run_summary(text_of_file(folder / "summary.json"));
+    const fs::path case_file = folder / "case.toml";
+    record.source = read_case(case_file);
+    const fs::path csv_file = folder / "rheogram.csv";
+    record.csv = text_of_file(csv_file);
+    record.rheogram = rheometry::read_rheogram_csv(csv_file).rheogram;
+    return record;
+}
+
+} // namespace searle::app

@@ -1,0 +1,84 @@
+#include "app/solved_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace searle::app {
+namespace {
+
+/// Regime of each row that was finished.
+std::vector<std::string> regimes_of(const solvers::Plan& plan, std::size_t rows) {
+    std::vector<std::string> regimes;
+    for (std::size_t row = 0; row < rows; ++row)
+        regimes.push_back(plan.rows.at(row).regime);
+    return regimes;
+}
+
+std::vector<double> rotor_wall_rates(const solvers::Scene& scene,
+                                     const rheometry::TorqueHistory& history) {
+    std::vector<double> rates;
+    for (const rheometry::TorqueRow& row : history.rows)
+        rates.push_back(
+            solvers::radial::steady_instrument_flow(scene.instrument, scene.fluid.law, row.speed)
+                .rotor_wall_rate);
+    return rates;
+}
+
+} // namespace
+
+PlannedCase plan_case(Case source, StageClock clock) {
+    if (source.scene.solver.engine == solvers::Engine::openfoam)
+        throw EngineMissing(source.file.string() +
+                            ": solver.engine: this version of Searle cannot drive OpenFOAM; "
+                            "engine = \"native\" solves the case itself");
+    PlannedCase planned{std::move(source), {}, std::move(clock)};
+    planned.plan = solvers::make_plan(planned.source.scene);
+    planned.clock.end_stage("plan");
+    if (!planned.plan.can_be_solved)
+        throw EngineMissing(planned.source.file.string() + ": " + planned.plan.model_reason);
+    return planned;
+}
+
+SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress) {
+    SolvedCase solved{.source = std::move(planned.source),
+                      .plan = std::move(planned.plan),
+                      .solution = {},
+                      .conversion = {},
+                      .rheogram = {},
+                      .clock = std::move(planned.clock)};
+    const solvers::Scene& scene = solved.source.scene;
+    solved.solution = solvers::radial::solve_radial(scene, progress);
+    solved.clock.end_stage("solve");
+    const rheometry::TorqueHistory& history = solved.solution.history;
+    solved.conversion = rheometry::conversion_for(scene.instrument, scene.conversion);
+    solved.rheogram = rheometry::make_rheogram(history, solved.conversion,
+                                               regimes_of(solved.plan, history.rows.size()),
+                                               rotor_wall_rates(scene, history));
+    solved.clock.end_stage("convert");
+    return solved;
+}
+
+Completeness completeness_of(const SolvedCase& solved) {
+    if (solved.solution.interrupted)
+        return Completeness::interrupted;
+    return solved.solution.reached ? Completeness::complete : Completeness::not_reached;
+}
+
+std::vector<std::string> warnings_of(const SolvedCase& solved) {
+    std::vector<std::string> warnings = solved.plan.warnings;
+    const auto& notes = solved.solution.notes;
+    warnings.insert(warnings.end(), notes.begin(), notes.end());
+    if (solved.solution.interrupted)
+        warnings.push_back(fmt::format("Interrupted: {} of {} points were finished.",
+                                       solved.rheogram.points.size(), solved.plan.rows.size()));
+    else if (!solved.solution.reached)
+        warnings.push_back(fmt::format("The asked accuracy of {:.3g} % was not reached: the "
+                                       "largest estimated error is {:.3g} %.",
+                                       100.0 * solved.source.scene.solver.accuracy,
+                                       100.0 * solved.solution.worst_relative_error));
+    return warnings;
+}
+
+} // namespace searle::app

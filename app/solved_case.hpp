@@ -1,0 +1,53 @@
+#pragma once
+
+#include "app/case_reader.hpp"
+#include "app/stage_clock.hpp"
+#include "app/summary_json.hpp"
+#include "rheometry/conversion/conversion.hpp"
+#include "rheometry/rheogram.hpp"
+#include "solvers/plan.hpp"
+#include "solvers/progress.hpp"
+#include "solvers/radial/radial_solver.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace searle::app {
+
+/// The case asks for an engine or a model that is not here. The program's exit code for it is 4.
+struct EngineMissing : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// A case with its plan, which can be solved.
+struct PlannedCase {
+    Case source;
+    solvers::Plan plan;
+    StageClock clock;
+};
+
+/// Plans a case; `clock` has timed its reading. Throws EngineMissing when this program cannot solve
+/// it.
+[[nodiscard]] PlannedCase plan_case(Case source, StageClock clock);
+
+/// A case with what came out of it.
+struct SolvedCase {
+    Case source;
+    solvers::Plan plan;
+    solvers::radial::RadialReport solution;
+    rheometry::Conversion conversion;
+    rheometry::Rheogram rheogram;
+    StageClock clock;
+};
+
+/// Solves and converts. When the progress sink throws solvers::Interrupted the rheogram has the
+/// rows that were finished.
+[[nodiscard]] SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress);
+
+[[nodiscard]] Completeness completeness_of(const SolvedCase& solved);
+
+/// What the user should know about the result: of the plan, of the solver, and of its completeness.
+[[nodiscard]] std::vector<std::string> warnings_of(const SolvedCase& solved);
+
+} // namespace searle::app

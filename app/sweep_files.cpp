@@ -1,0 +1,124 @@
+#include "app/sweep_files.hpp"
+
+#include "app/versions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+
+namespace searle::app {
+namespace {
+
+constexpr std::string_view combined_csv = "rheograms.csv";
+
+std::string written_value(const Case& source, const std::string& key) {
+    const auto found = source.written.find(key);
+    return found == source.written.end() ? "" : found->second;
+}
+
+double wall_seconds_of(const RunSummary& summary) {
+    double seconds = 0.0;
+    for (const StageSeconds& stage : summary.timings)
+        seconds += stage.wall;
+    return seconds;
+}
+
+/// The worse of two: what holds for one run holds for the sweep.
+Completeness worse(Completeness left, Completeness right) {
+    if (left == Completeness::interrupted || right == Completeness::interrupted)
+        return Completeness::interrupted;
+    return left == Completeness::complete ? right : left;
+}
+
+/// The runs' tables below each other, with the case's name in front.
+std::string combined_table(const std::vector<RunRecord>& runs) {
+    std::string table;
+    std::string header;
+    for (const RunRecord& run : runs) {
+        std::string_view rest = run.csv;
+        for (bool first = true; !rest.empty(); first = false) {
+            const std::size_t end = std::min(rest.find('\n'), rest.size());
+            const std::string_view line = rest.substr(0, end);
+            // Another instrument's columns can differ (the box); a new header says so.
+            if (!first)
+                table += fmt::format("{},{}\n", run.source.name, line);
+            else if (line != header)
+                table += fmt::format("case,{}\n", header = line);
+            rest.remove_prefix(std::min(end + 1, rest.size()));
+        }
+    }
+    return table;
+}
+
+} // namespace
+
+std::vector<std::string> swept_keys_of(const std::vector<Case>& cases) {
+    std::set<std::string> keys;
+    for (const Case& each : cases)
+        for (const auto& [key, value] : each.written)
+            if (key != "title" && value != written_value(cases.front(), key))
+                keys.insert(key);
+    for (const auto& [key, value] : cases.front().written)
+        if (key != "title" && std::any_of(cases.begin(), cases.end(), [&](const Case& each) {
+                return written_value(each, key) != value;
+            }))
+            keys.insert(key);
+    return {keys.begin(), keys.end()};
+}
+
+SweepRecord sweep_record(const std::vector<SolvedCase>& solved, const std::vector<Case>& all_cases,
+                         const std::string& created) {
+    SweepRecord record;
+    SweepSummary& summary = record.summary;
+    summary.title = all_cases.front().scene.title;
+    summary.case_file = all_cases.front().file.filename().string();
+    summary.created = created;
+    summary.versions = all_versions();
+    summary.runs_asked = static_cast<long>(all_cases.size());
+    summary.swept_keys = swept_keys_of(all_cases);
+    summary.files = {"report.html", std::string(combined_csv), "summary.json"};
+    for (const SolvedCase& each : solved) {
+        RunRecord run = record_of(each, created);
+        std::vector<std::string> values;
+        for (const std::string& key : summary.swept_keys)
+            values.push_back(written_value(run.source, key));
+        summary.runs.push_back({.name = run.source.name,
+                                .swept_values = std::move(values),
+                                .completeness = run.summary.completeness,
+                                .rows = run.summary.rows,
+                                .wall_seconds = wall_seconds_of(run.summary)});
+        summary.completeness = worse(summary.completeness, run.summary.completeness);
+        for (const std::string& file : run.summary.files)
+            summary.files.push_back(run.source.name + '/' + file);
+        record.runs.push_back(std::move(run));
+    }
+    if (solved.size() < all_cases.size()) {
+        summary.completeness = Completeness::interrupted;
+        summary.warnings.push_back(
+            fmt::format("Interrupted: {} of {} runs were made.", solved.size(), all_cases.size()));
+    }
+    return record;
+}
+
+std::vector<ResultFile> files_of(const SweepRecord& record) {
+    std::vector<ResultFile> files;
+    for (const RunRecord& run : record.runs)
+        for (ResultFile& file : files_of(run, run.source.name + '/'))
+            files.push_back(std::move(file));
+    files.push_back({"report.html", overlay_page(record.summary, record.runs)});
+    files.push_back({std::string(combined_csv), combined_table(record.runs)});
+    files.push_back({"summary.json", summary_json(record.summary)});
+    return files;
+}
+
+SweepRecord read_sweep_record(const std::filesystem::path& folder) {
+    SweepRecord record;
+    record.summary = read_sweep_summary(text_of_file(folder / "summary.json"));
+    for (const SweepRun& run : record.summary.runs)
+        record.runs.push_back(read_record(folder / run.name));
+    return record;
+}
+
+} // namespace searle::app

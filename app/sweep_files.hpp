@@ -1,0 +1,32 @@
+#pragma once
+
+#include "app/run_files.hpp"
+
+#include <string>
+#include <vector>
+
+namespace searle::app {
+
+/// What the files at the top of a sweep's result folder are made from.
+struct SweepRecord {
+    SweepSummary summary;
+    std::vector<RunRecord> runs; ///< in the order of the summary's runs
+};
+
+/// @param solved      the runs that were made, in the sweep's order
+/// @param all_cases   all cases that the sweep has
+[[nodiscard]] SweepRecord sweep_record(const std::vector<SolvedCase>& solved,
+                                       const std::vector<Case>& all_cases,
+                                       const std::string& created);
+
+/// All files of a sweep's result folder: case by case, and at the top summary.json, report.html
+/// and rheograms.csv, which has the columns `case` and those of rheogram.csv.
+[[nodiscard]] std::vector<ResultFile> files_of(const SweepRecord& record);
+
+/// Reads a sweep's result folder again. Throws as read_record does.
+[[nodiscard]] SweepRecord read_sweep_record(const std::filesystem::path& folder);
+
+/// Dotted keys in which the cases of a sweep differ, as the user wrote them, sorted.
+[[nodiscard]] std::vector<std::string> swept_keys_of(const std::vector<Case>& cases);
+
+} // namespace searle::app

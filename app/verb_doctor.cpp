@@ -1,0 +1,87 @@
+#include "app/verb_doctor.hpp"
+
+#include "app/exit_code.hpp"
+#include "app/versions.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <unistd.h>
+
+namespace searle::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Something outside the program that a case may ask for.
+struct OptionalTool {
+    std::string_view name;
+    std::string_view program; ///< found in PATH when the tool is there
+    std::string_view package; ///< Debian's
+    std::string_view use;
+};
+
+constexpr std::array optional_tools{
+    OptionalTool{"OpenFOAM", "pimpleFoam", "openfoam",
+                 "this version of Searle does not drive it yet: engine = \"native\" solves all"}};
+
+std::optional<fs::path> in_path(std::string_view program) {
+    const char* variable = std::getenv("PATH");
+    std::string_view rest = variable == nullptr ? "" : variable;
+    while (!rest.empty()) {
+        const std::size_t colon = rest.find(':');
+        const fs::path candidate = fs::path(rest.substr(0, colon)) / program;
+        if (access(candidate.c_str(), X_OK) == 0)
+            return candidate;
+        rest = colon == std::string_view::npos ? "" : rest.substr(colon + 1);
+    }
+    return std::nullopt;
+}
+
+/// Version of an installed Debian package; empty where it is not known.
+std::string package_version(std::string_view package) {
+    const std::string command =
+        fmt::format("dpkg-query --show --showformat='${{Version}}' {} 2>/dev/null", package);
+    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+    std::string version;
+    std::array<char, 128> part{};
+    while (pipe && std::fgets(part.data(), part.size(), pipe.get()) != nullptr)
+        version += part.data();
+    return version;
+}
+
+std::string line_for(const OptionalTool& tool) {
+    if (const auto program = in_path(tool.program)) {
+        const std::string version = package_version(tool.package);
+        return fmt::format("  {:<14} {} at {} ({})\n", tool.name,
+                           version.empty() ? "unknown version" : version, program->string(),
+                           tool.use);
+    }
+    return fmt::format("  {:<14} missing; to get it: apt-get install {} ({})\n", tool.name,
+                       tool.package, tool.use);
+}
+
+} // namespace
+
+int doctor() {
+    std::string text = fmt::format("searle {} ({})\n\nEngines\n", program_version(), compiler());
+    text += fmt::format("  {:<14} {}: single gap, double gap, box; {} processors here\n", "native",
+                        program_version(), std::thread::hardware_concurrency());
+    for (const OptionalTool& tool : optional_tools)
+        text += line_for(tool);
+    text += "\nLibraries (built in, nothing missing)\n";
+    for (const auto& [name, version] : library_versions())
+        text += fmt::format("  {:<14} {}\n", name, version);
+    std::fputs(text.c_str(), stdout);
+    return ExitCode::done;
+}
+
+} // namespace searle::app

@@ -1,0 +1,10 @@
+#pragma once
+
+namespace searle::app {
+
+/// `searle doctor`: prints to stdout which engines and libraries are there, their versions, what is
+/// missing and how to get it. Returns the exit code: 0 when everything that the native engine needs
+/// is there (an optional engine may be missing).
+[[nodiscard]] int doctor();
+
+} // namespace searle::app
