@@ -150,10 +150,10 @@ private:
     CsvTable table_;
 };
 
-CsvTable CsvTable::parse(std::string bytes, std::string name) {
+CsvTable CsvTable::parse(std::string_view bytes, std::string name) {
     std::string text;
     try {
-        text = decode_text(std::move(bytes));
+        text = decode_text(bytes);
     } catch (const std::invalid_argument& error) {
         fail(name, 0, error.what());
     }
@@ -173,7 +173,7 @@ CsvTable CsvTable::read(const std::filesystem::path& file) {
     std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
     if (stream.bad())
         fail(name, 0, "the file cannot be read to its end");
-    return parse(std::move(bytes), name);
+    return parse(bytes, name);
 }
 
 std::optional<std::size_t> CsvTable::find(std::string_view column_name) const {

@@ -29,7 +29,7 @@ public:
     /// Throws TableError when the file cannot be read or is not such a table.
     [[nodiscard]] static CsvTable read(const std::filesystem::path& file);
     /// @param name  what messages call the table
-    [[nodiscard]] static CsvTable parse(std::string bytes, std::string name);
+    [[nodiscard]] static CsvTable parse(std::string_view bytes, std::string name);
 
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] const std::vector<Column>& columns() const { return columns_; }

@@ -1,113 +1,67 @@
 #include "rheometry/tables/data_units.hpp"
 
+#include "casefile/unit.hpp"
 #include "rheometry/tables/number_text.hpp"
 
 #include <algorithm>
 #include <array>
-#include <numbers>
-#include <span>
+#include <cmath>
+#include <string>
+#include <variant>
 
 namespace searle::rheometry {
 namespace {
 
-struct DataUnit {
-    std::string_view spelling; ///< as `normalised` leaves it
-    double factor;
+struct Kind {
+    ColumnQuantity quantity;
+    casefile::Dimension dimension;
+    std::string_view usual_units;
 };
 
-constexpr double revolution = 2.0 * std::numbers::pi;
-constexpr double degree = std::numbers::pi / 180.0;
+constexpr std::array kinds{
+    Kind{ColumnQuantity::time, {.time = 1}, "s, ms, min, h"},
+    Kind{ColumnQuantity::angular_velocity,
+         {.time = -1, .angle = 1},
+         "rad/s, mrad/s, rpm, 1/min, rev/s, deg/s"},
+    Kind{ColumnQuantity::torque,
+         {.length = 2, .mass = 1, .time = -2},
+         "N.m, mN.m, uN.m, nN.m, dyn.cm"},
+    Kind{ColumnQuantity::wall_speed, {.length = 1, .time = -1}, "m/s, mm/s, um/s"},
+    Kind{ColumnQuantity::wall_force, {.length = 1, .mass = 1, .time = -2}, "N, mN, uN"},
+    Kind{ColumnQuantity::shear_rate, {.time = -1}, "1/s"},
+    Kind{ColumnQuantity::shear_stress, {.length = -1, .mass = 1, .time = -2}, "Pa, mPa, kPa"},
+    Kind{ColumnQuantity::angle, {.angle = 1}, "rad, mrad, deg"},
+    Kind{ColumnQuantity::stress_constant, {.length = -3}, "Pa/(N.m)"},
+    Kind{ColumnQuantity::strain_constant, {.angle = -1}, "1/rad"}};
 
-constexpr std::array time_units{DataUnit{"s", 1.0}, DataUnit{"sec", 1.0}, DataUnit{"ms", 1e-3},
-                                DataUnit{"min", 60.0}, DataUnit{"h", 3600.0}};
-constexpr std::array angular_velocity_units{DataUnit{"rad/s", 1.0},
-                                            DataUnit{"mrad/s", 1e-3},
-                                            DataUnit{"rpm", revolution / 60.0},
-                                            DataUnit{"rev/min", revolution / 60.0},
-                                            DataUnit{"rev/s", revolution},
-                                            DataUnit{"1/min", revolution / 60.0},
-                                            DataUnit{"deg/s", degree},
-                                            DataUnit{"rps", revolution},
-                                            DataUnit{"r/min", revolution / 60.0},
-                                            DataUnit{"U/min", revolution / 60.0}};
-constexpr std::array torque_units{
-    DataUnit{"N.m", 1.0},   DataUnit{"mN.m", 1e-3},   DataUnit{"uN.m", 1e-6},
-    DataUnit{"nN.m", 1e-9}, DataUnit{"dyn.cm", 1e-7}, DataUnit{"Nm", 1.0},
-    DataUnit{"mNm", 1e-3},  DataUnit{"uNm", 1e-6},    DataUnit{"nNm", 1e-9}};
-constexpr std::array wall_speed_units{DataUnit{"m/s", 1.0}, DataUnit{"mm/s", 1e-3},
-                                      DataUnit{"um/s", 1e-6}};
-constexpr std::array wall_force_units{DataUnit{"N", 1.0}, DataUnit{"mN", 1e-3},
-                                      DataUnit{"uN", 1e-6}, DataUnit{"nN", 1e-9}};
-constexpr std::array shear_rate_units{DataUnit{"1/s", 1.0}};
-constexpr std::array shear_stress_units{DataUnit{"Pa", 1.0}, DataUnit{"mPa", 1e-3},
-                                        DataUnit{"kPa", 1e3}, DataUnit{"dyn/cm2", 0.1}};
-constexpr std::array angle_units{DataUnit{"rad", 1.0}, DataUnit{"mrad", 1e-3},
-                                 DataUnit{"deg", degree}};
-
-std::span<const DataUnit> units_of(Quantity quantity) {
-    switch (quantity) {
-    case Quantity::time:
-        return time_units;
-    case Quantity::angular_velocity:
-        return angular_velocity_units;
-    case Quantity::torque:
-        return torque_units;
-    case Quantity::wall_speed:
-        return wall_speed_units;
-    case Quantity::wall_force:
-        return wall_force_units;
-    case Quantity::shear_rate:
-        return shear_rate_units;
-    case Quantity::shear_stress:
-        return shear_stress_units;
-    case Quantity::angle:
-        return angle_units;
-    }
-    return {};
+const Kind& kind_of(ColumnQuantity quantity) {
+    return *std::ranges::find(kinds, quantity, &Kind::quantity);
 }
 
-/// Other ways to write a piece of a unit, replaced in this order.
-struct Rewriting {
-    std::string_view from;
-    std::string_view to;
-};
-constexpr Rewriting rewritings[]{{"\xC2\xB5", "u"},               // micro sign
-                                 {"\xCE\xBC", "u"},               // Greek mu
-                                 {"\xC2\xB7", "."},               // middle dot
-                                 {"\xE2\x8B\x85", "."},           // dot operator
-                                 {"\xC2\xA0", "."},               // no-break space
-                                 {"\xC2\xB0", "deg"},             // degree sign
-                                 {"\xE2\x81\xBB\xC2\xB9", "^-1"}, // superscript -1
-                                 {"\xC2\xB2", "2"},               // superscript 2
-                                 {"*", "."},
-                                 {" ", "."},
-                                 {"dyne", "dyn"},
-                                 {"cm^2", "cm2"},
-                                 {".s^-1", "/s"},
-                                 {".s-1", "/s"},
-                                 {".min^-1", "/min"},
-                                 {".min-1", "/min"},
-                                 {"s^-1", "1/s"},
-                                 {"min^-1", "1/min"}};
-
-std::string normalised(std::string_view unit) {
-    std::string text(without_brackets(unit));
-    for (const auto& [from, to] : rewritings)
-        for (std::size_t at = text.find(from); at != std::string::npos;
-             at = text.find(from, at + to.size()))
-            text.replace(at, from.size(), to);
-    if (text == "s-1" || text == "min-1")
-        text = "1/" + text.substr(0, text.size() - 2);
-    if (text == "RPM" || text == "Rpm")
-        text = "rpm";
-    return text;
+/// Pa/N.m is how TRIOS writes Pa/(N.m).
+std::string unambiguous(std::string_view unit) {
+    return unit == "Pa/N.m" ? "Pa/(N.m)" : std::string(unit);
 }
-
-constexpr std::array all_quantities{
-    Quantity::time,       Quantity::angular_velocity, Quantity::torque,       Quantity::wall_speed,
-    Quantity::wall_force, Quantity::shear_rate,       Quantity::shear_stress, Quantity::angle};
 
 } // namespace
+
+std::optional<double> si_factor(ColumnQuantity quantity, std::string_view unit) {
+    const std::string text = unambiguous(without_brackets(unit));
+    if (text.empty())
+        return std::nullopt;
+    const auto found = casefile::unit_named(text);
+    const casefile::Unit* const known = std::get_if<casefile::Unit>(&found);
+    if (known == nullptr || known->offset != 0.0 || known->dimension != kind_of(quantity).dimension)
+        return std::nullopt;
+    return known->factor * std::pow(10.0, known->decimal_exponent);
+}
+
+std::string_view usual_units(ColumnQuantity quantity) { return kind_of(quantity).usual_units; }
+
+bool is_data_unit(std::string_view text) {
+    return std::ranges::any_of(
+        kinds, [text](const Kind& kind) { return si_factor(kind.quantity, text).has_value(); });
+}
 
 std::string_view without_brackets(std::string_view text) {
     text = trimmed(text);
@@ -115,28 +69,6 @@ std::string_view without_brackets(std::string_view text) {
                              (text.front() == '(' && text.back() == ')')))
         text = trimmed(text.substr(1, text.size() - 2));
     return text;
-}
-
-std::optional<double> si_factor(Quantity quantity, std::string_view unit) {
-    const std::span<const DataUnit> units = units_of(quantity);
-    const auto found = std::ranges::find(units, normalised(unit), &DataUnit::spelling);
-    return found == units.end() ? std::nullopt : std::optional(found->factor);
-}
-
-std::string accepted_units(Quantity quantity) {
-    std::string list;
-    for (const DataUnit& unit : units_of(quantity)) {
-        if (!list.empty())
-            list += ", ";
-        list += unit.spelling;
-    }
-    return list;
-}
-
-bool is_data_unit(std::string_view text) {
-    return std::ranges::any_of(all_quantities, [text](Quantity quantity) {
-        return si_factor(quantity, text).has_value();
-    });
 }
 
 } // namespace searle::rheometry

@@ -1,13 +1,12 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace searle::rheometry {
 
-/// What a column of a data file can hold for a conversion.
-enum class Quantity {
+/// What a column of a data file can hold.
+enum class ColumnQuantity {
     time,
     angular_velocity,
     torque,
@@ -15,22 +14,23 @@ enum class Quantity {
     wall_force,
     shear_rate,
     shear_stress,
-    angle
+    angle,
+    stress_constant, ///< stress per torque
+    strain_constant  ///< strain per angle
 };
 
-/// SI units per unit, e.g. 1e-3 for a torque in "mN.m" or "mN m", for the spellings that
-/// instruments and spreadsheets use: blank, point, middle dot or nothing between factors, a micro
-/// sign or a u, brackets around it. A turning speed "1/min" means revolutions; "1/s" is refused for
-/// it, since it may mean radians as well as revolutions.
-[[nodiscard]] std::optional<double> si_factor(Quantity quantity, std::string_view unit);
+/// SI units per unit of the text, e.g. 1e-3 for a torque in "mN.m", "[mN m]" or "(mNm)"; no value
+/// for a text that is no unit of this quantity. A turning speed "1/min" means revolutions; "1/s" is
+/// none, since it may mean radians as well as revolutions.
+[[nodiscard]] std::optional<double> si_factor(ColumnQuantity quantity, std::string_view unit);
 
-/// The text without blanks and without one pair of brackets, [ ] or ( ), around it.
-[[nodiscard]] std::string_view without_brackets(std::string_view text);
-
-/// The spellings that si_factor takes, for a message: "N.m, mN.m, uN.m, ...".
-[[nodiscard]] std::string accepted_units(Quantity quantity);
+/// A few units of the quantity, for a message: "N.m, mN.m, uN.m".
+[[nodiscard]] std::string_view usual_units(ColumnQuantity quantity);
 
 /// True when the text is the unit of one of the quantities.
 [[nodiscard]] bool is_data_unit(std::string_view text);
+
+/// The text without blanks and without one pair of brackets, [ ] or ( ), around it.
+[[nodiscard]] std::string_view without_brackets(std::string_view text);
 
 } // namespace searle::rheometry

@@ -99,25 +99,29 @@ std::string utf8_from_windows_1252(std::string_view bytes) {
     return text;
 }
 
-std::string decoded(std::string bytes) {
-    const std::string_view view = bytes;
-    if (view.starts_with("\xEF\xBB\xBF"))
-        bytes.erase(0, 3);
-    else if (view.starts_with("\xFF\xFE"))
-        return utf8_from_utf16(view.substr(2), ByteOrder::little);
-    else if (view.starts_with("\xFE\xFF"))
-        return utf8_from_utf16(view.substr(2), ByteOrder::big);
-    else if (bytes.size() >= 4 && bytes[0] != 0 && bytes[1] == 0 && bytes[2] != 0 && bytes[3] == 0)
-        return utf8_from_utf16(view, ByteOrder::little);
-    else if (bytes.size() >= 4 && bytes[0] == 0 && bytes[1] != 0 && bytes[2] == 0 && bytes[3] != 0)
-        return utf8_from_utf16(view, ByteOrder::big);
-    return is_utf8(bytes) ? bytes : utf8_from_windows_1252(bytes);
+bool has_zero_in_every_second_byte(std::string_view bytes, std::size_t first_zero) {
+    return bytes.size() >= 4 && bytes[first_zero] == '\0' && bytes[first_zero + 2] == '\0' &&
+           bytes[1 - first_zero] != '\0' && bytes[3 - first_zero] != '\0';
+}
+
+std::string decoded(std::string_view bytes) {
+    if (bytes.starts_with("\xFF\xFE"))
+        return utf8_from_utf16(bytes.substr(2), ByteOrder::little);
+    if (bytes.starts_with("\xFE\xFF"))
+        return utf8_from_utf16(bytes.substr(2), ByteOrder::big);
+    if (has_zero_in_every_second_byte(bytes, 1))
+        return utf8_from_utf16(bytes, ByteOrder::little);
+    if (has_zero_in_every_second_byte(bytes, 0))
+        return utf8_from_utf16(bytes, ByteOrder::big);
+    if (bytes.starts_with("\xEF\xBB\xBF"))
+        bytes.remove_prefix(3);
+    return is_utf8(bytes) ? std::string(bytes) : utf8_from_windows_1252(bytes);
 }
 
 } // namespace
 
-std::string decode_text(std::string bytes) {
-    std::string text = decoded(std::move(bytes));
+std::string decode_text(std::string_view bytes) {
+    std::string text = decoded(bytes);
     if (text.find('\0') != std::string::npos)
         throw std::invalid_argument("this is not a text file: it holds zero bytes");
     return text;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace searle::rheometry {
 
@@ -9,6 +10,6 @@ namespace searle::rheometry {
 /// spreadsheet programs write in western locales). Throws std::invalid_argument for UTF-16 that
 /// ends within a character or holds half a surrogate pair, and for text that holds a zero byte:
 /// such a file is not text.
-[[nodiscard]] std::string decode_text(std::string bytes);
+[[nodiscard]] std::string decode_text(std::string_view bytes);
 
 } // namespace searle::rheometry
