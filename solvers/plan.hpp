@@ -3,6 +3,7 @@
 #include "solvers/scene.hpp"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,41 +16,64 @@ struct PlanItem {
     std::string reason; ///< a full sentence that holds the number
 };
 
-/// Onset of Taylor vortices for a cup at rest, with Re = R_bob omega d / nu.
+/// Onset of Taylor vortices in the annulus with a turning bob or rotor inside and the cup at rest,
+/// with Re = R_bob omega d / nu.
 struct TaylorOnset {
-    double critical_reynolds{};
+    double critical_reynolds{}; ///< of a Newtonian fluid that fills the gap, exact
     /// Largest Re of the protocol; for a non-Newtonian fluid with the viscosity of `basis`.
     double reynolds{};
     /// Axial wave number times gap at the onset.
     double wave_number{};
-    std::string basis;
+    /// Largest Re / Re_critical of the rows; where the gap is partly sheared, of the sheared layer.
+    double largest_ratio{};
+    /// Shear rate (the conversion's) at the onset, 1/s: exact for a Newtonian fluid, else that of
+    /// the slowest row above the onset; absent when there is none.
+    std::optional<double> onset_shear_rate;
+    std::string basis; ///< what the numbers rest on, a full sentence
 };
 
 /// What holds at one row of the result.
 struct RowForecast {
+    /// s; for a steady series the estimated time at which an instrument that goes through the
+    /// series from rest is steady to the asked accuracy at this row.
     double time{};
     double speed{};
     double shear_rate{};
-    double steady_stress{};
-    std::string regime; ///< names joined by '+': laminar, rest, partly-sheared, lag, taylor-vortices, end-flow
-    double taylor_ratio{}; ///< Re / Re_critical
-    double lag_share{};    ///< estimated relative part of the stress that is inertia
+    double steady_stress{}; ///< the conversion's stress without inertia, Pa, sign of the speed
+    std::string regime;     ///< see solvers/regime.hpp
+    double taylor_ratio{};  ///< Re / Re_critical; 0 for the box
+    /// Estimated part of the stress that is inertia: |inertial| / (|steady| + |inertial|), 0 ... 1.
+    double lag_share{};
 };
 
 struct Plan {
-    std::string model;        ///< "radial steady", "radial transient", ...
+    std::string model; ///< "radial steady", "radial transient", "axisymmetric", ...
     std::string model_reason;
     bool transient{};
-    bool can_be_solved = true; ///< false: nothing in this program solves it yet; model_reason says why
+    bool can_be_solved =
+        true; ///< false: nothing in this program solves it yet; model_reason says why
     std::vector<PlanItem> items;
-    std::optional<TaylorOnset> taylor;
+    std::optional<TaylorOnset> taylor; ///< absent for the box
     std::vector<RowForecast> rows;
     std::vector<std::string> warnings;
-    double expected_seconds{};
+    double expected_seconds{}; ///< of one thread; right within a factor of about five
     long expected_unknowns{};
 };
 
-/// Plans a scene without solving its time dependence. Cost: milliseconds (a steady solve per row).
+/// Plans a scene without solving its time dependence. Cost: milliseconds (a steady solve per row,
+/// or for more than SteadyCurve::direct_limit rows a few hundred in all; docs/plan.md).
 [[nodiscard]] Plan make_plan(const Scene& scene);
+
+/// Time after which the stress is steady to `accuracy` (relative) when the speed jumps between two
+/// steady values, s, >= 0; estimated with the inertia and the slowest decay of the linearised flow
+/// at the two speeds. After a jump to rest "relative" means: to the stress before.
+[[nodiscard]] double settling_time(const geometry::Instrument& instrument, const Fluid& fluid,
+                                   double from_speed, double to_speed, double accuracy);
+
+/// For a steady series that starts from rest: the times at which each row's stress is steady, s,
+/// increasing; the sums of settling_time from row to row. Fast for any number of rows.
+[[nodiscard]] std::vector<double> settling_times(const geometry::Instrument& instrument,
+                                                 const Fluid& fluid, std::span<const double> speeds,
+                                                 double accuracy);
 
 } // namespace searle::solvers
