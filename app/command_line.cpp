@@ -1,0 +1,206 @@
+#include "app/command_line.hpp"
+
+#include "app/exit_code.hpp"
+#include "app/failures.hpp"
+#include "app/verb_check.hpp"
+#include "app/verb_convert.hpp"
+#include "app/verb_doctor.hpp"
+#include "app/verb_new.hpp"
+#include "app/verb_plan.hpp"
+#include "app/verb_report.hpp"
+#include "app/verb_run.hpp"
+#include "app/verb_schema.hpp"
+#include "app/versions.hpp"
+#include "casefile/nearest_name.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace searle::app {
+namespace {
+
+using Verb = std::function<int()>;
+
+/// The command line's grammar, and the verb that it chose.
+class Grammar {
+public:
+    Grammar() {
+        program_.set_version_flag("--version", fmt::format("searle {}", program_version()),
+                                  "Print the version");
+        program_.set_help_flag("-h,--help", "Print this text");
+        program_.require_subcommand(1);
+        program_.get_formatter()->column_width(34);
+        program_.footer("Example: searle run cases/single-gap-water.toml\n"
+                        "`searle VERB --help` tells more about a verb.\n"
+                        "Exit codes: 0 done, 1 fault, 2 wrong usage or case file, 3 accuracy not "
+                        "reached,\n4 engine or model missing, 130 interrupted.");
+        add_run();
+        add_plan();
+        add_check();
+        add_convert();
+        add_report();
+        add_new();
+        add_schema();
+        add_doctor();
+        for (const auto& [name, purpose] : later_verbs)
+            add_later(name, purpose);
+    }
+
+    CLI::App& program() { return program_; }
+    [[nodiscard]] const Verb& chosen() const { return chosen_; }
+    [[nodiscard]] std::vector<std::string> verb_names() const {
+        std::vector<std::string> names;
+        for (const CLI::App* verb : program_.get_subcommands({}))
+            names.push_back(verb->get_name());
+        return names;
+    }
+
+private:
+    /// Verbs whose work this version cannot do.
+    static constexpr std::pair<const char*, const char*> later_verbs[] = {
+        {"mesh", "Write the mesh by itself"},
+        {"fit", "Fit flow laws to a rheogram"},
+        {"compare", "Solve a case on several engines"},
+        {"bench", "Run time against error"},
+        {"stress", "Numerical stability sweeps"}};
+
+    template <class Options>
+    CLI::App* add(const char* name, const char* purpose, const char* example,
+                  std::shared_ptr<Options> options, int (*verb)(const Options&)) {
+        CLI::App* app = program_.add_subcommand(name, purpose);
+        app->footer(fmt::format("Example: searle {} {}", name, example));
+        app->callback([this, options, verb] { chosen_ = [=] { return verb(*options); }; });
+        return app;
+    }
+    static void add_overrides(CLI::App* app, std::vector<std::string>& overrides) {
+        app->add_option("--set", overrides,
+                        "Set a key of the case instead of the file, e.g. solver.accuracy=1e-4; may "
+                        "be repeated")
+            ->type_name("KEY=VALUE")
+            ->allow_extra_args(false);
+    }
+    template <class Path>
+    static CLI::Option* add_path(CLI::App* app, const char* name, Path& path, const char* meaning,
+                                 const char* type = "FILE") {
+        return app
+            ->add_option_function<std::string>(
+                name, [&path](const std::string& text) { path = text; }, meaning)
+            ->type_name(type);
+    }
+
+    void add_run() {
+        auto options = std::make_shared<RunOptions>();
+        CLI::App* app =
+            add("run", "Solve a case: rheogram with error bars, and a report",
+                "cases/single-gap-water.toml -o water --set solver.accuracy=1e-4", options, run);
+        add_path(app, "CASE", options->case_file, "Case file (TOML)")->required();
+        add_path(app, "-o,--output", options->folder,
+                 "Folder for the results; default results/<name of the case file>", "DIR");
+        add_overrides(app, options->overrides);
+        app->add_flag("--quiet", options->quiet, "Print nothing but errors");
+        app->add_flag("--force", options->replace, "Replace results that are there already");
+    }
+    void add_plan() {
+        auto options = std::make_shared<PlanOptions>();
+        CLI::App* app = add("plan", "Say what would be solved and what skipped, and why",
+                            "cases/figure-3.toml", options, plan);
+        add_path(app, "CASE", options->case_file, "Case file (TOML)")->required();
+        add_overrides(app, options->overrides);
+        app->add_flag("--json", options->json, "Print JSON");
+    }
+    void add_check() {
+        auto options = std::make_shared<CheckOptions>();
+        CLI::App* app =
+            add("check", "Read and validate a case only", "my-case.toml", options, check);
+        add_path(app, "CASE", options->case_file, "Case file (TOML)")->required();
+        add_overrides(app, options->overrides);
+    }
+    void add_report() {
+        auto options = std::make_shared<ReportOptions>();
+        CLI::App* app = add("report", "Make report.html again from a result folder",
+                            "results/single-gap-water", options, report);
+        add_path(app, "DIR", options->folder, "Result folder", "DIR")->required();
+    }
+    void add_new() {
+        auto options = std::make_shared<NewOptions>();
+        CLI::App* app = add("new", "Print a commented case file to start from",
+                            "single-gap > my-case.toml", options, new_case);
+        app->add_option("GEOMETRY", options->geometry, "single-gap, double-gap, din-bob or box")
+            ->required();
+    }
+    void add_schema() {
+        auto options = std::make_shared<SchemaOptions>();
+        CLI::App* app = add("schema", "Print every key of a case file: type, unit, default, bounds",
+                            "--json", options, schema);
+        auto* json = app->add_flag_callback(
+            "--json", [options] { options->format = SchemaFormat::json; }, "Print JSON");
+        app->add_flag_callback(
+               "--markdown", [options] { options->format = SchemaFormat::markdown; },
+               "Print the reference page")
+            ->excludes(json);
+    }
+    void add_doctor() {
+        CLI::App* app = program_.add_subcommand(
+            "doctor", "Say which engines and libraries are there, and what is missing");
+        app->footer("Example: searle doctor");
+        app->callback([this] { chosen_ = doctor; });
+    }
+    void add_later(const char* name, const char* purpose) {
+        CLI::App* app = program_.add_subcommand(
+            name, fmt::format("{} (not in version {})", purpose, program_version()));
+        app->footer(fmt::format("This version of Searle does not have `{}`.", name));
+        app->allow_extras();
+        app->callback([this, name] {
+            chosen_ = [name] {
+                std::fputs(fmt::format("searle: version {} does not have the verb '{}'\n",
+                                       program_version(), name)
+                               .c_str(),
+                           stderr);
+                return static_cast<int>(ExitCode::engine_missing);
+            };
+        });
+    }
+    void add_convert();
+
+    CLI::App program_{"A virtual rheometer: a case file in, a rheogram with error bars out", "searle"};
+    Verb chosen_;
+};
+
+int wrong_usage(const std::string& message) {
+    std::fputs(fmt::format("searle: {}\n", message).c_str(), stderr);
+    return ExitCode::wrong_usage;
+}
+
+} // namespace
+
+int run_command_line(int count, const char* const* words) {
+    Grammar grammar;
+    if (count < 2) {
+        std::fputs(grammar.program().help().c_str(), stderr);
+        return ExitCode::wrong_usage;
+    }
+    const std::string first = words[1];
+    const std::vector<std::string> verbs = grammar.verb_names();
+    if (!first.starts_with('-') && std::find(verbs.begin(), verbs.end(), first) == verbs.end()) {
+        const auto meant = casefile::nearest_name(first, verbs);
+        return wrong_usage(fmt::format("there is no verb '{}'{}; `searle --help` lists them", first,
+                                       meant ? fmt::format(" (did you mean '{}'?)", *meant) : ""));
+    }
+    try {
+        grammar.program().parse(count, words);
+    } catch (const CLI::Success& asked) { // --help and --version
+        return grammar.program().exit(asked);
+    } catch (const CLI::Error& error) {
+        return wrong_usage(
+            fmt::format("{}; `searle {} --help` shows the usage", error.what(), first));
+    }
+    return with_failures_told(grammar.chosen());
+}
+
+} // namespace searle::app

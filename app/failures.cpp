@@ -1,0 +1,64 @@
+#include "app/failures.hpp"
+
+#include "app/case_reader.hpp"
+#include "app/exit_code.hpp"
+#include "app/result_folder.hpp"
+#include "app/solved_case.hpp"
+#include "rheometry/tables/table_error.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <iostream>
+#include <new>
+#include <string_view>
+#include <system_error>
+
+namespace searle::app {
+namespace {
+
+int tell(ExitCode code, std::string_view message) {
+    std::fputs(fmt::format("searle: {}\n", message).c_str(), stderr);
+    return code;
+}
+
+int called(const std::function<int()>& verb) {
+    try {
+        return verb();
+    } catch (const casefile::CaseError& error) {
+        // Several lines that open with file:line, as compilers do: nothing in front of them.
+        std::fputs(fmt::format("{}\n", error.what()).c_str(), stderr);
+        return ExitCode::wrong_usage;
+    } catch (const rheometry::TableError& error) {
+        return tell(ExitCode::wrong_usage, error.what());
+    } catch (const OutputPlaceError& error) {
+        return tell(ExitCode::wrong_usage, error.what());
+    } catch (const OutputWriteError& error) {
+        return tell(ExitCode::program_fault, error.what());
+    } catch (const EngineMissing& error) {
+        return tell(ExitCode::engine_missing, error.what());
+    } catch (const std::bad_alloc&) {
+        return tell(ExitCode::program_fault, "there is not enough memory for this case");
+    } catch (const std::exception& error) {
+        return tell(ExitCode::program_fault,
+                    fmt::format("{}\nThis is a fault of the program; please report it with the "
+                                "case file and the output of `searle doctor`.",
+                                error.what()));
+    }
+}
+
+} // namespace
+
+int with_failures_told(const std::function<int()>& verb) {
+    const int code = called(verb);
+    errno = 0;
+    std::cout.flush();
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout)
+        return tell(ExitCode::program_fault,
+                    fmt::format("standard output could not be written: {}",
+                                std::generic_category().message(errno == 0 ? EIO : errno)));
+    return code;
+}
+
+} // namespace searle::app
