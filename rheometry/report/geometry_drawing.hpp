@@ -12,4 +12,7 @@ namespace searle::rheometry::report {
 /// The instrument must be valid (positive lengths, bob < cup).
 [[nodiscard]] std::string geometry_drawing(const geometry::Instrument& instrument);
 
+/// The same as an <svg> element that needs figure_style() in the page; at most one a page.
+[[nodiscard]] std::string geometry_drawing_for_page(const geometry::Instrument& instrument);
+
 } // namespace searle::rheometry::report

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "geometry/box.hpp"
+#include "rheometry/report/drafting.hpp"
+
+namespace searle::rheometry::report {
+
+/// Oblique view of the box with its moving wall, its velocity profile and its three dimensions.
+[[nodiscard]] Drafting draw_box(const geometry::Box& instrument);
+
+} // namespace searle::rheometry::report

@@ -1,0 +1,240 @@
+#include "rheometry/report/flow_series.hpp"
+
+#include "rheometry/report/regime_shading.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace searle::rheometry::report {
+
+namespace {
+
+constexpr double hole = std::numeric_limits<double>::quiet_NaN();
+
+// Beyond this the order of the points is scatter, not a protocol worth arrows.
+constexpr std::size_t most_branches = 12;
+
+struct Branch {
+    std::size_t first{};
+    std::size_t last{}; ///< included; the next branch starts here
+    bool rising{};
+};
+
+std::vector<Branch> branches_of(const Rheogram& rheogram) {
+    std::vector<Branch> branches;
+    const auto& points = rheogram.points;
+    for (std::size_t k = 1; k < points.size(); ++k) {
+        const double step = points[k].shear_rate - points[k - 1].shear_rate;
+        const bool moves = step > 0.0 || step < 0.0;
+        if (branches.empty() || (moves && branches.back().rising != (step > 0.0))) {
+            if (!branches.empty()) { branches.back().last = k - 1; }
+            branches.push_back({k - 1, k, step > 0.0});
+        }
+        branches.back().last = k;
+    }
+    return branches;
+}
+
+class PointWriter {
+public:
+    PointWriter(const Conversion& conversion, const CurveView& view, bool has_time)
+        : conversion_{conversion}, view_{view}, has_time_{has_time} {}
+
+    void add(Series& series, const RheogramPoint& point, bool marked) const {
+        series.x.push_back(value_of(point, view_.x) * view_.x_unit.per_si);
+        series.y.push_back(value_of(point, view_.y) * view_.y_unit.per_si);
+        if (!marked) { return; }
+        series.error.push_back(error_of(point, view_.y, conversion_) * view_.y_unit.per_si);
+        series.tips.push_back(point_tip(point, view_.rotates, has_time_));
+    }
+
+private:
+    const Conversion& conversion_;
+    const CurveView& view_;
+    bool has_time_;
+};
+
+} // namespace
+
+CurveView view_of(const Rheogram& rheogram, Quantity x, Quantity y, bool rotates) {
+    CurveView view;
+    view.x = x;
+    view.y = y;
+    view.rotates = rotates;
+    view.x_unit = display_unit(look_of(x, rotates).si_unit, largest_value(rheogram, x));
+    view.y_unit = display_unit(look_of(y, rotates).si_unit, largest_value(rheogram, y));
+    return view;
+}
+
+Axis x_axis(const CurveView& view, Scale scale) {
+    Axis axis;
+    axis.name = axis_name(look_of(view.x, view.rotates), view.x_unit);
+    axis.scale = scale;
+    return axis;
+}
+
+Axis y_axis(const CurveView& view, Scale scale) {
+    Axis axis;
+    axis.name = axis_name(look_of(view.y, view.rotates), view.y_unit);
+    axis.scale = scale;
+    // A constant viscosity is to look constant.
+    if (view.y == Quantity::viscosity) { axis.least_relative_span = 0.3; }
+    return axis;
+}
+
+std::vector<Series> computed_series(const Rheogram& rheogram, const Conversion& conversion,
+                                    const CurveView& view, bool transient, const RichText& name,
+                                    int colour) {
+    const PointWriter writer{conversion, view, transient};
+    Series marked;
+    marked.name = name;
+    marked.colour = colour;
+    marked.marker = Marker::circle;
+    const bool follows_time = view.x == Quantity::time;
+    if (!transient || follows_time || !passes_rates_twice(rheogram)) {
+        for (const RheogramPoint& point : rheogram.points) { writer.add(marked, point, true); }
+        return {marked};
+    }
+
+    Series falling = marked;
+    falling.open_marker = true;
+    marked.name.upright(", rising rate");
+    falling.name.upright(", falling rate");
+    const std::vector<Branch> branches = branches_of(rheogram);
+    std::vector<Series> all;
+    for (const Branch& branch : branches) {
+        Series line;
+        line.colour = colour;
+        line.stroke = Stroke::solid;
+        line.thin = true;
+        line.shows_direction = branches.size() <= most_branches;
+        for (std::size_t k = branch.first; k <= branch.last; ++k) {
+            writer.add(line, rheogram.points[k], false);
+            const bool is_start = k == branch.first && &branch != &branches.front();
+            if (!is_start) { writer.add(branch.rising ? marked : falling, rheogram.points[k], true); }
+        }
+        all.push_back(std::move(line));
+    }
+    all.push_back(std::move(marked));
+    all.push_back(std::move(falling));
+    return all;
+}
+
+Series law_series(const StressOfRate& law, double lowest_rate, double highest_rate,
+                  const CurveView& view, Scale rate_scale) {
+    constexpr int samples = 160;
+    Series series;
+    series.name = RichText{"flow law of the fluid"};
+    series.colour = 7;
+    series.stroke = Stroke::solid;
+    series.thin = true;
+    // The viscosity of a yield-stress law has no end towards zero rate.
+    series.sets_range = view.y != Quantity::viscosity || rate_scale == Scale::logarithmic;
+    const auto add = [&](double rate) {
+        double value = law(std::abs(rate));
+        if (view.y == Quantity::viscosity) {
+            value = value / std::abs(rate);
+        } else if (rate < 0.0) {
+            value = -value;
+        }
+        series.x.push_back(rate * view.x_unit.per_si);
+        series.y.push_back(value * view.y_unit.per_si);
+    };
+    const auto add_hole = [&] {
+        series.x.push_back(hole);
+        series.y.push_back(hole);
+    };
+    if (!law || !(highest_rate >= lowest_rate)) { return series; }
+    if (rate_scale == Scale::logarithmic) {
+        if (!(lowest_rate > 0.0)) { return series; }
+        const double ratio = highest_rate / lowest_rate;
+        for (int k = 0; k <= samples; ++k) {
+            add(lowest_rate * std::pow(ratio, static_cast<double>(k) / samples));
+        }
+        return series;
+    }
+    // Quadratic spacing away from zero, where yield-stress laws bend most.
+    if (lowest_rate < 0.0) {
+        for (int k = samples; k > 0; --k) {
+            const double share = static_cast<double>(k) / samples;
+            const double rate = lowest_rate * share * share;
+            if (rate <= highest_rate) { add(rate); }
+        }
+        add_hole();
+    }
+    for (int k = 0; k <= samples; ++k) {
+        const double share = static_cast<double>(k) / samples;
+        const double rate = highest_rate * share * share;
+        const bool defined = rate > 0.0 || view.y != Quantity::viscosity;
+        if (rate >= std::max(0.0, lowest_rate) && defined && highest_rate >= 0.0) { add(rate); }
+    }
+    return series;
+}
+
+Series inertia_free_series(const Rheogram& rheogram, const Conversion& conversion,
+                           const CurveView& view) {
+    Series series;
+    series.name = RichText{"without inertia"};
+    series.colour = 1;
+    series.stroke = Stroke::dashed;
+    for (const RheogramPoint& point : rheogram.points) {
+        double value = point.steady_stress;
+        if (view.y == Quantity::viscosity) { value /= point.shear_rate; }
+        if (view.y == Quantity::torque) { value /= conversion.stress_per_torque; }
+        series.x.push_back(value_of(point, view.x) * view.x_unit.per_si);
+        series.y.push_back(value * view.y_unit.per_si);
+    }
+    return series;
+}
+
+Series measured_series(const MeasuredSeries& measured, const CurveView& view, int index) {
+    constexpr Marker markers[] = {Marker::diamond, Marker::square, Marker::triangle, Marker::cross};
+    constexpr int colours[] = {2, 3, 4, 6};
+    Series series;
+    series.name = RichText{measured.name};
+    series.colour = colours[index % 4];
+    series.marker = markers[index % 4];
+    series.open_marker = true;
+    const std::size_t count = std::min(measured.shear_rate.size(), measured.shear_stress.size());
+    for (std::size_t k = 0; k < count; ++k) {
+        const double rate = measured.shear_rate[k];
+        const double divisor = view.y == Quantity::viscosity ? rate : 1.0;
+        series.x.push_back(rate * view.x_unit.per_si);
+        series.y.push_back(measured.shear_stress[k] / divisor * view.y_unit.per_si);
+        if (measured.stress_error.size() == count) {
+            series.error.push_back(
+                std::abs(measured.stress_error[k] / divisor * view.y_unit.per_si));
+        }
+        series.tips.push_back(measured.name + "\n\u03b3\u0307 = " + quantity_text(rate, "1/s", 4) +
+                              "\n\u03c4 = " + quantity_text(measured.shear_stress[k], "Pa", 4));
+    }
+    return series;
+}
+
+RateRange rate_range(const Rheogram& rheogram) {
+    RateRange range{hole, hole, hole};
+    for (const RheogramPoint& point : rheogram.points) {
+        const double rate = point.shear_rate;
+        if (!std::isfinite(rate)) { continue; }
+        range.lowest = std::fmin(range.lowest, rate);
+        range.highest = std::fmax(range.highest, rate);
+        if (rate > 0.0) { range.lowest_positive = std::fmin(range.lowest_positive, rate); }
+    }
+    return range;
+}
+
+Scale suitable_scale(const std::vector<double>& values) {
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = 0.0;
+    for (const double value : values) {
+        if (!std::isfinite(value)) { continue; }
+        if (value <= 0.0) { return Scale::linear; }
+        lowest = std::min(lowest, value);
+        highest = std::max(highest, value);
+    }
+    return highest > 30.0 * lowest ? Scale::logarithmic : Scale::linear;
+}
+
+} // namespace searle::rheometry::report

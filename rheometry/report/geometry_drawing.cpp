@@ -1,0 +1,35 @@
+#include "rheometry/report/geometry_drawing.hpp"
+
+#include "rheometry/report/box_drawing.hpp"
+#include "rheometry/report/cylinder_drawing.hpp"
+#include "rheometry/report/din_bob_drawing.hpp"
+
+#include <variant>
+
+namespace searle::rheometry::report {
+
+namespace {
+
+struct Draw {
+    Drafting operator()(const geometry::ConcentricCylinders& it) const { return draw_single_gap(it); }
+    Drafting operator()(const geometry::DoubleGap& it) const { return draw_double_gap(it); }
+    Drafting operator()(const geometry::DinBob& it) const { return draw_din_bob(it); }
+    Drafting operator()(const geometry::Box& it) const { return draw_box(it); }
+};
+
+std::string drawn(const geometry::Instrument& instrument, bool as_file) {
+    return std::visit(Draw{}, instrument)
+        .svg("Dimensioned drawing of the instrument", as_file);
+}
+
+} // namespace
+
+std::string geometry_drawing(const geometry::Instrument& instrument) {
+    return drawn(instrument, true);
+}
+
+std::string geometry_drawing_for_page(const geometry::Instrument& instrument) {
+    return drawn(instrument, false);
+}
+
+} // namespace searle::rheometry::report

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "rheometry/report/rich_text.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace searle::rheometry::report {
+
+/// A number with at most `digits` significant digits for running text: "0.0125", "1.2 × 10⁻⁵".
+/// Trailing zeros are dropped, minus is U+2212, zero has no sign; not finite: an en dash.
+[[nodiscard]] std::string significant(double value, int digits);
+
+/// The same with exactly `digits` significant digits, trailing zeros kept.
+[[nodiscard]] std::string significant_padded(double value, int digits);
+
+/// The digits of `value` that an error of size `error` leaves: down to the second significant digit of
+/// the error, 3 to 15 digits in all; 10 digits where the error is 0 or unknown.
+[[nodiscard]] std::string rounded_to_error(double value, double error);
+
+/// A relative number as percent: "0.1 %", "1.2 × 10⁻⁶ %" never, below 0.001 % it is "1.2 × 10⁻⁸".
+[[nodiscard]] std::string relative_text(double fraction, int digits = 2);
+
+/// A unit for display: displayed number = SI number * per_si.
+struct DisplayUnit {
+    double per_si = 1.0;
+    std::string name; ///< "mPa s"; empty for pure numbers
+};
+
+/// The unit with the SI prefix that suits numbers up to `largest` (SI, sign ignored). Only Pa, N, m, s
+/// and what starts with them take a prefix; rates and angles stay as they are; lengths stay in mm
+/// from 0.1 mm up to 1 m. `si_unit` is written as in case files: "Pa.s", "N m", "1/s", "1".
+[[nodiscard]] DisplayUnit display_unit(std::string_view si_unit, double largest);
+
+/// "1.0016 mPa s".
+[[nodiscard]] std::string quantity_text(double value, std::string_view si_unit, int digits = 6);
+
+/// A unit as people read it: "Pa.s^n" becomes Pa s with a superscript n.
+[[nodiscard]] RichText unit_text(std::string_view si_unit);
+
+} // namespace searle::rheometry::report
