@@ -11,8 +11,8 @@ namespace {
 
 /// Below exp(-30) of the wall's rate nothing of the integral is left in double precision's 1e-13.
 constexpr double negligible_range = 30.0;
-/// Panel next to the wall; with 12 points and the nearest pole of d ln tau / d ln rate at a distance
-/// pi the rule's error is below 1e-13. Further panels may grow since exp(ln rate) shrinks.
+/// Panel next to the wall; with 12 points and the nearest pole of d ln tau / d ln rate at a
+/// distance pi the rule's error is below 1e-13. Further panels may grow since exp(ln rate) shrinks.
 constexpr double first_panel = 4.0;
 constexpr double panel_growth = 1.5;
 
@@ -48,7 +48,8 @@ SteadyGapFlow solve(const AnnularGap& gap, const Law& law, double omega) {
 
     // Rate at the outer wall for a given rate at the inner wall; the stress falls by delta^2.
     const auto outer_rate = [&](double inner_rate) {
-        const double excess = (law.excess_stress(inner_rate) - yield * excess_ratio) / ratio_squared;
+        const double excess =
+            (law.excess_stress(inner_rate) - yield * excess_ratio) / ratio_squared;
         return excess > 0.0 ? law.rate_at_excess(excess) : 0.0;
     };
     const auto speed = [&](double log_rate, double outer) {
@@ -90,8 +91,8 @@ SteadyGapFlow solve(const AnnularGap& gap, const Law& law, double omega) {
     flow.inner_wall_rate = inner;
     flow.outer_wall_rate = outer;
     flow.inner_wall_stress = law.stress(inner);
-    flow.torque_per_length = 2.0 * std::numbers::pi * gap.inner_radius * gap.inner_radius *
-                             flow.inner_wall_stress;
+    flow.torque_per_length =
+        2.0 * std::numbers::pi * gap.inner_radius * gap.inner_radius * flow.inner_wall_stress;
     flow.partly_sheared = outer == 0.0 && yield > 0.0;
     flow.yield_radius = flow.partly_sheared
                             ? gap.inner_radius * std::sqrt(1.0 + law.excess_stress(inner) / yield)

@@ -19,20 +19,20 @@ struct AnnularGap {
 
 /// Steady creeping flow between two cylinders that turn at speeds differing by omega.
 struct SteadyGapFlow {
-    double torque_per_length{};  ///< N, magnitude
-    double inner_wall_stress{};  ///< Pa
-    double inner_wall_rate{};    ///< 1/s
-    double outer_wall_rate{};    ///< 1/s; 0 when the gap is partly sheared
-    double yield_radius{};       ///< m; the outer radius when all of the gap is sheared
+    double torque_per_length{}; ///< N, magnitude
+    double inner_wall_stress{}; ///< Pa
+    double inner_wall_rate{};   ///< 1/s
+    double outer_wall_rate{};   ///< 1/s; 0 when the gap is partly sheared
+    double yield_radius{};      ///< m; the outer radius when all of the gap is sheared
     bool partly_sheared{};
-    double relative_error{};     ///< bound on the relative error of the torque
+    double relative_error{}; ///< bound on the relative error of the torque
 };
 
-/// Solves omega = 1/2 integral from max(yield, tau/delta^2) to tau of rate(q)/q dq for the stress tau
-/// at the inner wall (physics: docs/radial.md, eq. 3). No mesh, no regularisation: quadrature in
-/// ln(rate), safeguarded Newton. Relative error of the torque <= 1e-10.
+/// Solves omega = 1/2 integral from max(yield, tau/delta^2) to tau of rate(q)/q dq for the stress
+/// tau at the inner wall (physics: docs/radial.md, eq. 3). No mesh, no regularisation: quadrature
+/// in ln(rate), safeguarded Newton. Relative error of the torque <= 1e-10.
 /// @param omega  difference of the two speeds, rad/s, > 0
-[[nodiscard]] SteadyGapFlow steady_gap_flow(const AnnularGap& gap, const laws::flow::AnyFlowLaw& law,
-                                            double omega);
+[[nodiscard]] SteadyGapFlow steady_gap_flow(const AnnularGap& gap,
+                                            const laws::flow::AnyFlowLaw& law, double omega);
 
 } // namespace searle::solvers::radial

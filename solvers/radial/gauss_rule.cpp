@@ -32,8 +32,8 @@ const GaussRule<Points>& gauss_rule() {
     return rule;
 }
 
-template const GaussRule<3>& gauss_rule<3>();
 template const GaussRule<5>& gauss_rule<5>();
+template const GaussRule<8>& gauss_rule<8>();
 template const GaussRule<12>& gauss_rule<12>();
 
 } // namespace searle::solvers::radial

@@ -4,8 +4,8 @@
 
 namespace searle::solvers::radial {
 
-/// Gauss–Legendre rules on [-1, 1]; nodes increasing. Computed to double precision from the roots of
-/// the Legendre polynomials (checked by tests/solvers/gauss_rule_test.cpp on all monomials).
+/// Gauss–Legendre rules on [-1, 1]; nodes increasing. Computed to double precision from the roots
+/// of the Legendre polynomials (checked by tests/solvers/gauss_rule_test.cpp on all monomials).
 template <int Points>
 struct GaussRule {
     std::array<double, Points> node;
@@ -16,8 +16,8 @@ struct GaussRule {
 template <int Points>
 [[nodiscard]] const GaussRule<Points>& gauss_rule();
 
-extern template const GaussRule<3>& gauss_rule<3>();
 extern template const GaussRule<5>& gauss_rule<5>();
+extern template const GaussRule<8>& gauss_rule<8>();
 extern template const GaussRule<12>& gauss_rule<12>();
 
 } // namespace searle::solvers::radial

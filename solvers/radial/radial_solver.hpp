@@ -12,22 +12,23 @@ namespace searle::solvers::radial {
 
 /// What the radial solver did, as data.
 struct RadialReport {
-    rheometry::TorqueHistory history; ///< rows finished, in order; fewer than asked when interrupted
-    bool transient{};                 ///< false: inertia was left out
-    bool reached = true;              ///< every row meets the asked accuracy by its own estimate
-    double worst_relative_error{};    ///< largest estimate over the rows, relative to the stress scale
-    double worst_torque_imbalance{};  ///< |M_bob - M_cup - dL/dt| / max |M|, transient only
-    int refinements{};                ///< number of grid levels solved
-    int elements{};                   ///< of the finest level, per gap
-    long time_steps{};                ///< of the finest level
-    long linear_solves{};             ///< over all levels
+    rheometry::TorqueHistory
+        history;                   ///< rows finished, in order; fewer than asked when interrupted
+    bool transient{};              ///< false: inertia was left out
+    bool reached = true;           ///< every row meets the asked accuracy by its own estimate
+    double worst_relative_error{}; ///< largest estimate over the rows, relative to the stress scale
+    double worst_torque_imbalance{}; ///< |M_bob - M_cup - dL/dt| / max |M|, transient only
+    int refinements{};               ///< number of grid levels solved
+    int elements{};                  ///< of the finest level, per gap
+    long time_steps{};               ///< of the finest level
+    long linear_solves{};            ///< over all levels
     long unknowns{};
     bool interrupted{};
     std::vector<std::string> notes;
 };
 
-/// Torque history of the endless instrument (no ends), with inertia unless the protocol is a steady one.
-/// Single gap, double gap and box; throws std::invalid_argument for the DIN bob.
+/// Torque history of the endless instrument (no ends), with inertia unless the protocol is a steady
+/// one. Single gap, double gap and box; throws std::invalid_argument for the DIN bob.
 [[nodiscard]] RadialReport solve_radial(const Scene& scene, const ProgressSink& progress);
 
 /// Steady torque (N m; N for the box) of the endless instrument at one speed, and its gap flow.
@@ -35,8 +36,9 @@ struct RadialReport {
 struct SteadyInstrumentFlow {
     double torque{};
     double relative_error{};
-    double rotor_wall_rate{}; ///< 1/s, at the bob, at the rotor's outer wall, at the box's walls; >= 0
-    double yield_radius{};    ///< m, as TorqueRow::yield_radius
+    double
+        rotor_wall_rate{}; ///< 1/s, at the bob, at the rotor's outer wall, at the box's walls; >= 0
+    double yield_radius{}; ///< m, as TorqueRow::yield_radius
     bool partly_sheared{};
 };
 [[nodiscard]] SteadyInstrumentFlow steady_instrument_flow(const geometry::Instrument& instrument,

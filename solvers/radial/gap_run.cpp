@@ -1,0 +1,318 @@
+#include "solvers/radial/gap_run.hpp"
+
+#include "solvers/radial/annular_gap.hpp"
+#include "solvers/radial/esdirk.hpp"
+#include "solvers/radial/gap_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace searle::solvers::radial {
+namespace {
+
+using Piece = rheometry::SpeedHistory::Piece;
+
+constexpr long most_steps = 20'000'000;
+/// Of the one small step after a jump, whose momentum is a tiny share of what the next row sees.
+constexpr double jump_tolerance = 1e-3;
+
+template <class Law>
+class Run {
+public:
+    Run(const GapShape& shape, const Law& law, const rheometry::SpeedHistory& history,
+        const GapResolution& resolution)
+        : shape_(shape), history_(history), tolerance_(resolution.step_tolerance),
+          grid_(graded_grid(shape, resolution.layer, resolution.elements)),
+          system_(shape, grid_, law) {
+        const std::size_t count = system_.elements();
+        flux_ = FluxField{std::vector<double>(count + 1), std::vector<double>(count)};
+        velocity_.resize(count);
+        start_.resize(count);
+        error_.resize(count);
+        for (VelocityField& slope : slope_) {
+            slope.resize(count);
+        }
+        double fastest = std::abs(history.initial_speed);
+        for (const Piece& piece : history.pieces) {
+            fastest = std::max({fastest, std::abs(piece.start_speed), std::abs(piece.end_speed)});
+        }
+        typical_flux_ = fastest > 0.0 ? std::abs(steady_flux(fastest)) : 1.0;
+    }
+
+    GapRun operator()(const std::function<void(std::size_t)>& between_rows) {
+        if (history_.initial_speed != 0.0) {
+            settle(history_.initial_speed);
+        }
+        initial_momentum_ = system_.momentum(velocity_);
+        std::size_t row = 0;
+        double speed_before = history_.initial_speed;
+        bool alive = true;
+        for (const Piece& piece : history_.pieces) {
+            if (!alive || row == history_.row_times.size()) {
+                break;
+            }
+            time_ = piece.start_time;
+            const double first_target = std::min(piece.end_time, history_.row_times[row]);
+            // A kink or a jump starts a new momentum layer: begin with steps that can see it.
+            step_ = (first_target - time_) * 1e-2;
+            if (piece.start_speed != speed_before) {
+                const double wait = first_target - time_;
+                const double smallest = wait * std::min(1e-4, 1e-2 * tolerance_);
+                alive =
+                    jump(piece, std::min(1e-2 * wait,
+                                         std::max(smallest, 0.05 * filling_time(piece.start_speed -
+                                                                                speed_before))));
+            }
+            while (alive && row < history_.row_times.size() &&
+                   history_.row_times[row] <= piece.end_time) {
+                next_row_ = history_.row_times[row];
+                alive = advance_to(piece, next_row_);
+                if (alive) {
+                    run_.wall_flux.push_back(wall_flux());
+                    between_rows(row++);
+                }
+            }
+            if (alive && row < history_.row_times.size()) {
+                next_row_ = history_.row_times[row];
+                alive = advance_to(piece, piece.end_time);
+            }
+            speed_before = piece.end_speed;
+        }
+        run_.finished = alive;
+        run_.linear_solves = system_.linear_solves();
+        const double gained = system_.momentum(velocity_) - initial_momentum_;
+        run_.momentum_defect =
+            transported_ > 0.0 ? std::abs(gained - delivered_) / transported_ : 0.0;
+        return std::move(run_);
+    }
+
+private:
+    [[nodiscard]] std::array<double, 2> walls(double speed) const {
+        return shape_.outer_wall_moves ? std::array{0.0, speed} : std::array{speed, 0.0};
+    }
+    [[nodiscard]] double wall_flux() const {
+        return shape_.outer_wall_moves ? flux_.node.back() : flux_.node.front();
+    }
+    [[nodiscard]] static double speed_in(const Piece& piece, double time) {
+        const double fraction = (time - piece.start_time) / (piece.end_time - piece.start_time);
+        return piece.start_speed + fraction * (piece.end_speed - piece.start_speed);
+    }
+
+    /// The flux of the steady flow at a speed: the same all over the gap.
+    [[nodiscard]] double steady_flux(double speed) const {
+        const double sign = (speed > 0.0) == shape_.outer_wall_moves ? 1.0 : -1.0;
+        if (shape_.planar) {
+            return sign * system_.law().stress(std::abs(speed) / shape_.width());
+        }
+        const AnnularGap gap{shape_.inner, shape_.outer};
+        return sign * steady_gap_flow(gap, system_.law(), std::abs(speed)).torque_per_length /
+               (2.0 * std::numbers::pi);
+    }
+    void guess_steady(double speed) {
+        std::fill(flux_.node.begin(), flux_.node.end(), steady_flux(speed));
+        std::fill(flux_.bubble.begin(), flux_.bubble.end(), 0.0);
+    }
+
+    /// The discrete steady flow: implicit Euler with steps far longer than any time of the gap.
+    void settle(double speed) {
+        guess_steady(speed);
+        const double viscosity =
+            std::abs(flux_.node.front()) * shape_.width() /
+            (std::abs(speed) * (shape_.planar ? 1.0 : std::pow(shape_.inner, 3)));
+        const double diffusion = shape_.density * shape_.width() * shape_.width() / viscosity;
+        for (int k = 0; k < 12; ++k) {
+            start_ = velocity_;
+            (void)system_.solve(start_, 1e3 * diffusion, walls(speed), 1e-12, typical_flux_, flux_);
+            system_.acceleration(flux_, slope_[0]);
+            for (std::size_t e = 0; e < velocity_.size(); ++e) {
+                velocity_[e][0] = start_[e][0] + 1e3 * diffusion * slope_[0][e][0];
+                velocity_[e][1] = start_[e][1] + 1e3 * diffusion * slope_[0][e][1];
+            }
+        }
+    }
+
+    /// Time in which a jump of the wall's speed brings the element at the wall up to speed. What
+    /// happens sooner the grid cannot show.
+    [[nodiscard]] double filling_time(double speed_jump) const {
+        const auto& grid = grid_;
+        const double size =
+            shape_.outer_wall_moves ? grid.back() - grid[grid.size() - 2] : grid[1] - grid[0];
+        const double radius =
+            shape_.planar ? 1.0 : (shape_.outer_wall_moves ? shape_.outer : shape_.inner);
+        const double velocity = std::abs(speed_jump) * radius;
+        const double stress = system_.law().stress(velocity / size);
+        return shape_.density * size * velocity / stress;
+    }
+
+    bool jump(const Piece& piece, double step) {
+        guess_if_at_rest(speed_in(piece, time_ + step));
+        start_ = velocity_;
+        const auto outcome = system_.solve(start_, step, walls(speed_in(piece, time_ + step)),
+                                           jump_tolerance, typical_flux_, flux_);
+        if (!outcome.converged) {
+            return false;
+        }
+        system_.acceleration(flux_, slope_[0]);
+        for (std::size_t e = 0; e < velocity_.size(); ++e) {
+            velocity_[e][0] += step * slope_[0][e][0];
+            velocity_[e][1] += step * slope_[0][e][1];
+        }
+        account(step, 1.0);
+        time_ += step;
+        step_ = step;
+        return true;
+    }
+
+    void guess_if_at_rest(double speed) {
+        if (flux_.largest() == 0.0 && speed != 0.0) {
+            guess_steady(speed);
+        }
+    }
+
+    /// Books what the walls deliver in `step` at the present flux.
+    void account(double step, double weight) {
+        delivered_ += step * weight * (flux_.node.back() - flux_.node.front());
+        transported_ +=
+            step * std::abs(weight) * (std::abs(flux_.node.back()) + std::abs(flux_.node.front()));
+    }
+
+    bool advance_to(const Piece& piece, double target) {
+        while (time_ < target) {
+            const double left = target - time_;
+            if (left <= 1e-13 * std::max(target, 1e-300)) {
+                break;
+            }
+            // Equal steps up to the target rather than a stub at its end.
+            const double steps_left = std::ceil(left / step_ * (1.0 - 1e-12));
+            const double step = steps_left > 1e9 ? step_ : left / std::max(1.0, steps_left);
+            if (run_.steps + run_.rejected > most_steps || step < 1e-15 * left) {
+                return false;
+            }
+            const double error = attempt(piece, step);
+            const double factor = std::isfinite(error)
+                                      ? 0.9 * std::pow(std::max(error, 1e-12) / tolerance_, -0.25)
+                                      : 0.1;
+            if (error <= tolerance_) {
+                ++run_.steps;
+                time_ = steps_left <= 1.0 ? target : time_ + step;
+                // A step cut short to land on the target must not shrink the next one.
+                step_ = std::max(steps_left <= 1.0 ? step_ : 0.0, step) *
+                        std::clamp(factor, 0.3, 5.0) *
+                        (steps_left <= 1.0 && step < step_ ? std::min(1.0, 1.0 / factor) : 1.0);
+                step_ = std::max(step_, step * std::clamp(factor, 0.3, 5.0));
+            } else {
+                ++run_.rejected;
+                step_ = step * std::clamp(factor, 0.1, 0.8);
+            }
+        }
+        time_ = target;
+        return true;
+    }
+
+    /// Tries one step. Accepted (result <= tolerance) it has moved flux_ and velocity_; else both
+    /// are as before. Result: error of the flux relative to the largest flux; infinite if a stage
+    /// failed.
+    double attempt(const Piece& piece, double step) {
+        const double theta = step * Esdirk::diagonal;
+        // What the solves leave over is a momentum error too, and may be larger far from the next
+        // row.
+        const double left = std::max(0.0, next_row_ - time_ - step);
+        const double solve_tolerance =
+            std::clamp(1e-2 * tolerance_ * std::max(1.0, 0.1 * left / step), 1e-13, 1e-4);
+        saved_flux_ = flux_;
+        guess_if_at_rest(speed_in(piece, time_ + step));
+        system_.acceleration(saved_flux_, slope_[0]);
+        const double saved_delivered = delivered_;
+        const double saved_transported = transported_;
+        {
+            const FluxField stage_flux = flux_;
+            flux_ = saved_flux_;
+            account(step, Esdirk::weight[5][0]);
+            flux_ = stage_flux;
+        }
+        const auto undo = [&] {
+            flux_ = saved_flux_;
+            delivered_ = saved_delivered;
+            transported_ = saved_transported;
+        };
+        for (std::size_t s = 1; s < Esdirk::stages; ++s) {
+            const auto& weight = Esdirk::weight[s];
+            for (std::size_t e = 0; e < velocity_.size(); ++e) {
+                double w0 = 0.0;
+                double w1 = 0.0;
+                for (std::size_t j = 0; j < s; ++j) {
+                    w0 += weight[j] * slope_[j][e][0];
+                    w1 += weight[j] * slope_[j][e][1];
+                }
+                start_[e] = {velocity_[e][0] + step * w0, velocity_[e][1] + step * w1};
+            }
+            const double stage_time = time_ + Esdirk::time[s] * step;
+            const auto outcome = system_.solve(start_, theta, walls(speed_in(piece, stage_time)),
+                                               solve_tolerance, typical_flux_, flux_);
+            if (!outcome.converged) {
+                undo();
+                return std::numeric_limits<double>::infinity();
+            }
+            system_.acceleration(flux_, slope_[s]);
+            account(step, Esdirk::weight[5][s]);
+        }
+        for (std::size_t e = 0; e < velocity_.size(); ++e) {
+            double error0 = 0.0;
+            double error1 = 0.0;
+            for (std::size_t j = 0; j < Esdirk::stages; ++j) {
+                const double difference = Esdirk::weight[5][j] - Esdirk::embedded[j];
+                error0 += difference * slope_[j][e][0];
+                error1 += difference * slope_[j][e][1];
+            }
+            error_[e] = {step * error0, step * error1};
+        }
+        const double largest = std::max(flux_.largest(), saved_flux_.largest());
+        // An error of momentum long before the next row reaches that row's stress spread over the
+        // time in between; so near a start, where the stress is singular in time, it may be larger.
+        const double delayed = left > 0.0 ? 2.0 * system_.momentum_size(error_) / left
+                                          : std::numeric_limits<double>::infinity();
+        const double error =
+            largest > 0.0 ? std::min(system_.flux_change(error_), delayed) / largest : 0.0;
+        if (!(error <= tolerance_)) {
+            undo();
+            return error;
+        }
+        for (std::size_t e = 0; e < velocity_.size(); ++e) {
+            velocity_[e][0] = start_[e][0] + theta * slope_[5][e][0];
+            velocity_[e][1] = start_[e][1] + theta * slope_[5][e][1];
+        }
+        return error;
+    }
+
+    GapShape shape_;
+    const rheometry::SpeedHistory& history_;
+    double tolerance_;
+    std::vector<double> grid_;
+    GapSystem<Law> system_;
+    GapRun run_;
+
+    double time_ = 0.0;
+    double step_ = 0.0;
+    double next_row_ = 0.0;
+    double typical_flux_ = 1.0; ///< of steady flow at the fastest speed
+    FluxField flux_, saved_flux_;
+    VelocityField velocity_, start_, error_;
+    std::array<VelocityField, Esdirk::stages> slope_;
+    double initial_momentum_ = 0.0;
+    double delivered_ = 0.0;
+    double transported_ = 0.0;
+};
+
+} // namespace
+
+GapRun run_gap(const GapShape& shape, const laws::flow::AnyFlowLaw& law,
+               const rheometry::SpeedHistory& history, const GapResolution& resolution,
+               const std::function<void(std::size_t)>& between_rows) {
+    return std::visit(
+        [&](const auto& chosen) { return Run(shape, chosen, history, resolution)(between_rows); },
+        law);
+}
+
+} // namespace searle::solvers::radial

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "laws/flow/flow_law.hpp"
+#include "rheometry/speed_history.hpp"
+#include "solvers/radial/gap_grid.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace searle::solvers::radial {
+
+/// How finely one run of a gap resolves space and time.
+struct GapResolution {
+    int elements{};
+    double layer{};          ///< thickness for graded_grid, m
+    double step_tolerance{}; ///< local error of the flux in a step, relative to the largest flux
+};
+
+/// A gap's transient at one resolution.
+struct GapRun {
+    /// Flux F at the moving wall at each row (annulus: r^2 tau, N; planar: tau, Pa), with the sign
+    /// of tau = +law for dw/dx > 0; fewer than asked when `finished` is false.
+    std::vector<double> wall_flux;
+    bool finished{};
+    long steps{};
+    long rejected{};
+    long linear_solves{};
+    /// | change of momentum - integral of the flux difference | / integral of |flux| over time.
+    double momentum_defect{};
+};
+
+/// Integrates rho m dw/dt = dF/dx, dw/dx = rate(F/a)/b over the speed history, the wall that does
+/// not move at speed 0. Steps land on every row, kink and jump. A jump is followed by one very
+/// small step of implicit Euler; else steps are Kennedy & Carpenter's ESDIRK4(3)6L[2]SA with the
+/// embedded error mapped to a change of flux. Starts from rest, or from steady flow at
+/// history.initial_speed.
+/// @param between_rows  called after each row with its index; may throw to stop the run
+[[nodiscard]] GapRun run_gap(const GapShape& shape, const laws::flow::AnyFlowLaw& law,
+                             const rheometry::SpeedHistory& history,
+                             const GapResolution& resolution,
+                             const std::function<void(std::size_t)>& between_rows);
+
+} // namespace searle::solvers::radial
