@@ -23,13 +23,13 @@ struct Fault {
 /// Every fault of a case, in the order of the file. what() is the whole text for the user
 /// (several lines, no line end at its end). The program's exit code for it is 2.
 class CaseError : public std::exception {
-  public:
+public:
     explicit CaseError(std::vector<Fault> faults);
 
     [[nodiscard]] const std::vector<Fault>& faults() const { return faults_; }
     [[nodiscard]] const char* what() const noexcept override { return text_.c_str(); }
 
-  private:
+private:
     std::vector<Fault> faults_;
     std::string text_;
 };

@@ -1,0 +1,163 @@
+#include "casefile/unit.hpp"
+
+#include "casefile/unit_spelling.hpp"
+
+#include <cctype>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <udunits2.h>
+
+namespace searle::casefile {
+namespace {
+
+struct FreeSystem {
+    void operator()(ut_system* system) const { ut_free_system(system); }
+};
+struct FreeUnit {
+    void operator()(ut_unit* unit) const { ut_free(unit); }
+};
+
+struct Collected {
+    Unit unit;
+    bool linear = true; ///< false for decibels and calendar times
+};
+
+std::int8_t* power_of(Dimension& dimension, const char* base_unit) {
+    struct Base {
+        const char* name;
+        std::int8_t Dimension::*power;
+    };
+    static constexpr Base bases[] = {
+        {"meter", &Dimension::length},       {"kilogram", &Dimension::mass},
+        {"second", &Dimension::time},        {"ampere", &Dimension::current},
+        {"kelvin", &Dimension::temperature}, {"mole", &Dimension::amount},
+        {"candela", &Dimension::luminosity}, {"radian", &Dimension::angle},
+    };
+    for (const Base& base : bases)
+        if (std::strcmp(base.name, base_unit) == 0)
+            return &(dimension.*base.power);
+    return nullptr;
+}
+
+ut_status visit_product(const ut_unit*, int count, const ut_unit* const* base_units,
+                        const int* powers, void* argument) {
+    auto& collected = *static_cast<Collected*>(argument);
+    for (int at = 0; at < count; ++at) {
+        const char* name = ut_get_name(base_units[at], UT_ASCII);
+        std::int8_t* power = name ? power_of(collected.unit.dimension, name) : nullptr;
+        if (!power || std::abs(powers[at]) > 100)
+            return UT_VISIT_ERROR;
+        *power = static_cast<std::int8_t>(powers[at]);
+    }
+    return UT_SUCCESS;
+}
+
+ut_status visit_basic(const ut_unit* unit, void* argument) {
+    const int first_power = 1;
+    return visit_product(unit, 1, &unit, &first_power, argument);
+}
+
+extern const ut_visitor collector;
+
+ut_status visit_galilean(const ut_unit*, double scale, const ut_unit* underlying, double offset,
+                         void* argument) {
+    auto& unit = static_cast<Collected*>(argument)->unit;
+    unit.factor *= scale;
+    unit.offset += scale * offset;
+    return ut_accept_visitor(underlying, &collector, argument);
+}
+
+ut_status visit_timestamp(const ut_unit*, const ut_unit*, double, void* argument) {
+    static_cast<Collected*>(argument)->linear = false;
+    return UT_SUCCESS;
+}
+
+ut_status visit_logarithmic(const ut_unit*, double, const ut_unit*, void* argument) {
+    static_cast<Collected*>(argument)->linear = false;
+    return UT_SUCCESS;
+}
+
+const ut_visitor collector{visit_basic, visit_product, visit_galilean, visit_timestamp,
+                           visit_logarithmic};
+
+/// A number that is no power: UDUNITS takes "000 mm" and "60 s" as units, in a case file they are
+/// slips.
+bool holds_loose_number(std::string_view unit) {
+    if (unit.starts_with("1/") || unit.starts_with("1 /"))
+        unit.remove_prefix(1);
+    char before = ' ';
+    for (const char sign : unit) {
+        const bool digit = std::isdigit(static_cast<unsigned char>(sign)) != 0;
+        if (digit && std::strchr(" ./*(", before))
+            return true;
+        before = sign;
+    }
+    return false;
+}
+
+void split_off_power_of_ten(Unit& unit) {
+    const int exponent = static_cast<int>(std::lround(std::log10(std::abs(unit.factor))));
+    const double rest = unit.factor / std::pow(10.0, exponent);
+    if (std::abs(rest - 1.0) <= 8.0 * std::numeric_limits<double>::epsilon()) {
+        unit.decimal_exponent = exponent;
+        unit.factor = 1.0;
+    }
+}
+
+class UnitLibrary {
+public:
+    UnitLibrary() {
+        ut_set_error_message_handler(ut_ignore);
+        system_.reset(ut_read_xml(nullptr));
+        if (!system_)
+            throw std::runtime_error("the unit database of UDUNITS-2 cannot be read; the package "
+                                     "libudunits2-data holds it");
+    }
+
+    std::variant<Unit, UnknownUnit> unit(std::string_view text) {
+        const auto known = known_.find(text);
+        if (known != known_.end())
+            return known->second;
+        const std::variant<Unit, UnknownUnit> found = parse(text);
+        // A file full of nonsense must not fill the memory.
+        if (known_.size() < 1000)
+            known_.emplace(text, found);
+        return found;
+    }
+
+private:
+    std::variant<Unit, UnknownUnit> parse(std::string_view text) const {
+        if (holds_loose_number(text))
+            return UnknownUnit{"holds a number"};
+        const std::string spelling = udunits_spelling(text);
+        const std::unique_ptr<ut_unit, FreeUnit> parsed{
+            ut_parse(system_.get(), spelling.c_str(), UT_ASCII)};
+        Collected collected;
+        if (!parsed || ut_accept_visitor(parsed.get(), &collector, &collected) != UT_SUCCESS)
+            return UnknownUnit{"is not known"};
+        if (!collected.linear || !(collected.unit.factor > 0.0) ||
+            !std::isfinite(collected.unit.factor))
+            return UnknownUnit{"cannot be used here"};
+        split_off_power_of_ten(collected.unit);
+        return collected.unit;
+    }
+
+    std::unique_ptr<ut_system, FreeSystem> system_;
+    std::map<std::string, std::variant<Unit, UnknownUnit>, std::less<>> known_;
+};
+
+} // namespace
+
+std::variant<Unit, UnknownUnit> unit_named(std::string_view text) {
+    static std::mutex one_at_a_time;
+    const std::lock_guard lock{one_at_a_time};
+    static UnitLibrary library;
+    return library.unit(text);
+}
+
+} // namespace searle::casefile
