@@ -49,7 +49,7 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
                       .rheogram = {},
                       .clock = std::move(planned.clock)};
     const solvers::Scene& scene = solved.source.scene;
-    solved.solution = solvers::radial::solve_radial(scene, progress);
+    solved.solution = solvers::radial::solve_radial(scene, solved.plan, progress);
     solved.clock.end_stage("solve");
     const rheometry::TorqueHistory& history = solved.solution.history;
     solved.conversion = rheometry::conversion_for(scene.instrument, scene.conversion);

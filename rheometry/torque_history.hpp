@@ -17,6 +17,8 @@ struct TorqueRow {
     /// Outermost (for an inner rotor) radius that is sheared, m; the wall's radius when all is sheared.
     /// Of the steady flow at this speed. For the double gap: of the outer gap. For the box: 0.
     double yield_radius{};
+    /// Shear rate of the steady flow at the rotor's wall, 1/s, >= 0.
+    double rotor_wall_rate{};
 };
 
 struct TorqueHistory {

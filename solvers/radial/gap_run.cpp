@@ -41,7 +41,7 @@ public:
         typical_flux_ = fastest > 0.0 ? std::abs(steady_flux(fastest)) : 1.0;
     }
 
-    GapRun operator()(const std::function<void(std::size_t)>& between_rows) {
+    GapRun operator()(const std::function<void(std::size_t, double)>& at_row) {
         if (history_.initial_speed != 0.0) {
             settle(history_.initial_speed);
         }
@@ -70,8 +70,7 @@ public:
                 next_row_ = history_.row_times[row];
                 alive = advance_to(piece, next_row_);
                 if (alive) {
-                    run_.wall_flux.push_back(wall_flux());
-                    between_rows(row++);
+                    at_row(row++, wall_flux());
                 }
             }
             if (alive && row < history_.row_times.size()) {
@@ -309,10 +308,9 @@ private:
 
 GapRun run_gap(const GapShape& shape, const laws::flow::AnyFlowLaw& law,
                const rheometry::SpeedHistory& history, const GapResolution& resolution,
-               const std::function<void(std::size_t)>& between_rows) {
+               const std::function<void(std::size_t, double)>& at_row) {
     return std::visit(
-        [&](const auto& chosen) { return Run(shape, chosen, history, resolution)(between_rows); },
-        law);
+        [&](const auto& chosen) { return Run(shape, chosen, history, resolution)(at_row); }, law);
 }
 
 } // namespace searle::solvers::radial

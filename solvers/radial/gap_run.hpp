@@ -21,7 +21,7 @@ struct GapRun {
     /// Flux F at the moving wall at each row (annulus: r^2 tau, N; planar: tau, Pa), with the sign
     /// of tau = +law for dw/dx > 0; fewer than asked when `finished` is false.
     std::vector<double> wall_flux;
-    bool finished{};
+    bool finished{}; ///< false: a step could not be taken; the rows before it are good
     long steps{};
     long rejected{};
     long linear_solves{};
@@ -29,15 +29,18 @@ struct GapRun {
     double momentum_defect{};
 };
 
+/// Flux F at the moving wall: r^2 tau (N) in an annulus, tau (Pa) when planar, tau > 0 for dw/dx >
+/// 0.
+///
 /// Integrates rho m dw/dt = dF/dx, dw/dx = rate(F/a)/b over the speed history, the wall that does
 /// not move at speed 0. Steps land on every row, kink and jump. A jump is followed by one very
 /// small step of implicit Euler; else steps are Kennedy & Carpenter's ESDIRK4(3)6L[2]SA with the
 /// embedded error mapped to a change of flux. Starts from rest, or from steady flow at
 /// history.initial_speed.
-/// @param between_rows  called after each row with its index; may throw to stop the run
+/// @param at_row  called at each row with its index and the flux there; may throw to stop the run
 [[nodiscard]] GapRun run_gap(const GapShape& shape, const laws::flow::AnyFlowLaw& law,
                              const rheometry::SpeedHistory& history,
                              const GapResolution& resolution,
-                             const std::function<void(std::size_t)>& between_rows);
+                             const std::function<void(std::size_t, double)>& at_row);
 
 } // namespace searle::solvers::radial

@@ -2,6 +2,7 @@
 
 #include "rheometry/speed_history.hpp"
 #include "rheometry/torque_history.hpp"
+#include "solvers/plan.hpp"
 #include "solvers/progress.hpp"
 #include "solvers/scene.hpp"
 
@@ -27,9 +28,13 @@ struct RadialReport {
     std::vector<std::string> notes;
 };
 
-/// Torque history of the endless instrument (no ends), with inertia unless the protocol is a steady
-/// one. Single gap, double gap and box; throws std::invalid_argument for the DIN bob.
-[[nodiscard]] RadialReport solve_radial(const Scene& scene, const ProgressSink& progress);
+/// Torque history of the instrument without its ends: steady flow row by row for a steady series
+/// and where the plan found inertia negligible, else the transient flow in the gap. For the DIN bob
+/// the endless cylinder's torque times the conversion's end factor.
+/// @param plan  of the same scene: plan.transient decides, plan.rows hold the times of a steady
+/// series
+[[nodiscard]] RadialReport solve_radial(const Scene& scene, const Plan& plan,
+                                        const ProgressSink& progress);
 
 /// Steady torque (N m; N for the box) of the endless instrument at one speed, and its gap flow.
 /// Odd in the speed; 0 at rest.

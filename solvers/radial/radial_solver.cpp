@@ -1,0 +1,114 @@
+#include "solvers/radial/radial_solver.hpp"
+
+#include "rheometry/schedule.hpp"
+#include "solvers/plan.hpp"
+#include "solvers/radial/rotor_gaps.hpp"
+#include "solvers/radial/transient_levels.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace searle::solvers::radial {
+namespace {
+
+/// How much more than the plan's estimate of the inertial share is claimed as error where the
+/// inertia is left out.
+constexpr double inertia_margin = 3.0;
+constexpr std::size_t rows_between_reports = 256;
+
+/// The factor by which the ends of the instrument raise the endless cylinder's torque.
+double end_factor(const geometry::Instrument& instrument, const rheometry::Conversion& conversion) {
+    return std::holds_alternative<geometry::DinBob>(instrument) ? conversion.end_factor : 1.0;
+}
+
+rheometry::TorqueRow steady_row(const Scene& scene, double factor, double time, double speed) {
+    const SteadyInstrumentFlow flow =
+        steady_instrument_flow(scene.instrument, scene.fluid.law, speed);
+    const double torque = factor * flow.torque;
+    return {.time = time,
+            .speed = speed,
+            .torque = torque,
+            .torque_error = std::abs(torque) * flow.relative_error,
+            .steady_torque = torque,
+            .yield_radius = flow.yield_radius,
+            .rotor_wall_rate = flow.rotor_wall_rate};
+}
+
+/// Rows without inertia, at given times and speeds.
+template <class SpeedAt>
+RadialReport without_inertia(const Scene& scene, const Plan& plan, double factor, std::size_t rows,
+                             bool inertia_skipped, const SpeedAt& speed_at,
+                             const ProgressSink& progress) {
+    RadialReport report;
+    report.history.rows.reserve(rows);
+    try {
+        for (std::size_t k = 0; k < rows; ++k) {
+            rheometry::TorqueRow row = steady_row(scene, factor, plan.rows[k].time, speed_at(k));
+            if (inertia_skipped) {
+                row.torque_error += inertia_margin * plan.rows[k].lag_share * std::abs(row.torque);
+            }
+            if (row.torque != 0.0) {
+                report.worst_relative_error =
+                    std::max(report.worst_relative_error, row.torque_error / std::abs(row.torque));
+            }
+            report.history.rows.push_back(row);
+            if (progress && k % rows_between_reports == 0) {
+                progress(static_cast<double>(k) / static_cast<double>(rows), "steady flow");
+            }
+        }
+    } catch (const Interrupted&) {
+        report.interrupted = true;
+    }
+    report.reached = report.worst_relative_error <= scene.solver.accuracy;
+    return report;
+}
+
+RadialReport with_inertia(const Scene& scene, double factor, const rheometry::SpeedHistory& history,
+                          const ProgressSink& progress) {
+    const std::vector<RotorGap> gaps = rotor_gaps(scene.instrument, scene.fluid.density);
+    const TransientTorque solved =
+        solve_levels(gaps, scene.fluid.law, history, scene.solver.accuracy, progress);
+    RadialReport report;
+    report.transient = true;
+    report.reached = solved.reached;
+    report.interrupted = solved.interrupted;
+    report.worst_relative_error = solved.worst_relative_error;
+    report.worst_torque_imbalance = solved.momentum_defect;
+    report.refinements = solved.levels;
+    report.elements = solved.elements;
+    report.time_steps = solved.steps;
+    report.linear_solves = solved.linear_solves;
+    report.unknowns = static_cast<long>(gaps.size()) * (4L * solved.elements + 1);
+    report.history.rows.reserve(solved.torque.size());
+    for (std::size_t k = 0; k < solved.torque.size(); ++k) {
+        const double time = history.row_times[k];
+        rheometry::TorqueRow row = steady_row(scene, factor, time, history.speed_at(time));
+        row.torque = factor * solved.torque[k];
+        row.torque_error = factor * solved.error[k];
+        report.history.rows.push_back(row);
+    }
+    return report;
+}
+
+} // namespace
+
+RadialReport solve_radial(const Scene& scene, const Plan& plan, const ProgressSink& progress) {
+    const rheometry::Conversion conversion =
+        rheometry::conversion_for(scene.instrument, scene.conversion);
+    const double factor = end_factor(scene.instrument, conversion);
+    const auto schedule = rheometry::schedule(scene.protocol, conversion);
+    if (const auto* steady = std::get_if<rheometry::SteadySpeeds>(&schedule)) {
+        return without_inertia(
+            scene, plan, factor, steady->speeds.size(), false,
+            [&](std::size_t k) { return steady->speeds[k]; }, progress);
+    }
+    const auto& history = std::get<rheometry::SpeedHistory>(schedule);
+    if (!plan.transient) {
+        return without_inertia(
+            scene, plan, factor, history.row_times.size(), true,
+            [&](std::size_t k) { return history.speed_at(history.row_times[k]); }, progress);
+    }
+    return with_inertia(scene, factor, history, progress);
+}
+
+} // namespace searle::solvers::radial

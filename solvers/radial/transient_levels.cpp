@@ -1,0 +1,201 @@
+#include "solvers/radial/transient_levels.hpp"
+
+#include "solvers/radial/annular_gap.hpp"
+#include "solvers/radial/gap_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace searle::solvers::radial {
+namespace {
+
+/// Level 0 at an asked accuracy of 1e-3; both scale with the accuracy by the scheme's order 4.
+constexpr double base_elements = 6.0;
+constexpr double base_tolerance = 1e-2;
+constexpr int order = 4;
+constexpr int most_levels = 9;
+constexpr int most_elements = 20000;
+/// Share of a neighbouring row's difference that counts at a row: the difference of two levels can
+/// pass through zero by accident.
+constexpr double neighbour_share = 0.5;
+
+struct Level {
+    std::vector<double> torque;
+    bool finished = true;
+    bool interrupted{};
+    double momentum_defect{};
+    long steps{};
+    long linear_solves{};
+};
+
+Level run_level(std::span<const RotorGap> gaps, const laws::flow::AnyFlowLaw& law,
+                const rheometry::SpeedHistory& history, std::span<const double> layers,
+                int elements, double tolerance, const std::function<void(double)>& at) {
+    Level level;
+    const std::size_t rows = history.row_times.size();
+    level.torque.assign(rows, 0.0);
+    std::size_t complete = rows;
+    for (std::size_t g = 0; g < gaps.size(); ++g) {
+        std::vector<double> flux;
+        std::size_t done = 0;
+        try {
+            GapRun run = run_gap(gaps[g].shape, law, history, {elements, layers[g], tolerance},
+                                 [&](std::size_t row, double wall_flux) {
+                                     flux.push_back(wall_flux);
+                                     at((static_cast<double>(g) +
+                                         static_cast<double>(row + 1) / static_cast<double>(rows)) /
+                                        static_cast<double>(gaps.size()));
+                                 });
+            level.finished = level.finished && run.finished;
+            level.momentum_defect = std::max(level.momentum_defect, run.momentum_defect);
+            level.steps += run.steps;
+            level.linear_solves += run.linear_solves;
+        } catch (const Interrupted&) {
+            level.interrupted = true;
+        }
+        done = flux.size();
+        complete = std::min(complete, done);
+        for (std::size_t row = 0; row < done; ++row) {
+            level.torque[row] += gaps[g].torque_per_flux * flux[row];
+        }
+        if (level.interrupted || !level.finished) {
+            // The rows of this gap are of no use without those of the gaps not yet solved.
+            complete = g + 1 < gaps.size() ? 0 : complete;
+            break;
+        }
+    }
+    level.torque.resize(complete);
+    return level;
+}
+
+/// Differences of two levels, each row's widened by its neighbours'.
+std::vector<double> differences(std::span<const double> fine, std::span<const double> coarse) {
+    const std::size_t rows = std::min(fine.size(), coarse.size());
+    std::vector<double> plain(rows);
+    for (std::size_t k = 0; k < rows; ++k) {
+        plain[k] = std::abs(fine[k] - coarse[k]);
+    }
+    std::vector<double> widened = plain;
+    for (std::size_t k = 0; k < rows; ++k) {
+        if (k > 0) {
+            widened[k] = std::max(widened[k], neighbour_share * plain[k - 1]);
+        }
+        if (k + 1 < rows) {
+            widened[k] = std::max(widened[k], neighbour_share * plain[k + 1]);
+        }
+    }
+    return widened;
+}
+
+/// Slope of the law where the layer forms: at the wall's rate of the steady flow at a speed.
+double tangent_viscosity(const GapShape& shape, const laws::flow::AnyFlowLaw& law, double speed) {
+    const double magnitude = std::abs(speed);
+    const double rate =
+        shape.planar ? magnitude / shape.width()
+                     : steady_gap_flow({shape.inner, shape.outer}, law, magnitude).inner_wall_rate;
+    return std::visit([rate](const auto& chosen) { return double{chosen.stress_slope(rate)}; },
+                      law);
+}
+
+} // namespace
+
+std::vector<double> torque_scale(std::span<const double> torque) {
+    std::vector<double> scale(torque.size());
+    double largest = 0.0;
+    for (std::size_t k = 0; k < torque.size(); ++k) {
+        largest = std::max(largest, std::abs(torque[k]));
+        scale[k] = std::max(std::abs(torque[k]), 1e-3 * largest);
+    }
+    return scale;
+}
+
+double thinnest_layer(const GapShape& shape, const laws::flow::AnyFlowLaw& law,
+                      const rheometry::SpeedHistory& history) {
+    double thinnest = shape.width();
+    auto row = history.row_times.begin();
+    for (const auto& piece : history.pieces) {
+        row = std::upper_bound(row, history.row_times.end(), piece.start_time);
+        if (row == history.row_times.end()) {
+            break;
+        }
+        const double speed =
+            std::max({std::abs(piece.start_speed), std::abs(history.speed_at(*row)),
+                      1e-6 * std::abs(piece.end_speed)});
+        if (speed > 0.0) {
+            const double diffusivity = tangent_viscosity(shape, law, speed) / shape.density;
+            thinnest = std::min(thinnest, std::sqrt(diffusivity * (*row - piece.start_time)));
+        }
+    }
+    return thinnest;
+}
+
+TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::AnyFlowLaw& law,
+                             const rheometry::SpeedHistory& history, double accuracy,
+                             const ProgressSink& progress) {
+    std::vector<double> layers;
+    for (const RotorGap& gap : gaps) {
+        layers.push_back(thinnest_layer(gap.shape, law, history));
+    }
+    const double finer = std::pow(1e-3 / accuracy, 1.0 / order);
+    int elements = std::max(4, static_cast<int>(std::lround(base_elements * finer)));
+    double tolerance = std::min(2.0 * base_tolerance, base_tolerance * accuracy / 1e-3);
+
+    TransientTorque result;
+    std::vector<double> coarse;
+    for (int level = 0; level < most_levels; ++level) {
+        const std::string stage = "level " + std::to_string(level + 1) + ", " +
+                                  std::to_string(elements) + " elements across the gap";
+        const auto at = [&](double fraction) {
+            if (progress) {
+                progress(level == 0 ? 0.2 * fraction : 0.2 + 0.8 * fraction, stage);
+            }
+        };
+        Level found = run_level(gaps, law, history, layers, elements, tolerance, at);
+        result.linear_solves += found.linear_solves;
+        result.levels = level + 1;
+        if (found.interrupted || !found.finished) {
+            result.interrupted = found.interrupted;
+            if (level == 0) {
+                // No second level to compare with: the error bar is the whole torque.
+                result.torque = std::move(found.torque);
+                result.error.assign(result.torque.size(), 0.0);
+                std::transform(result.torque.begin(), result.torque.end(), result.error.begin(),
+                               [](double torque) { return std::abs(torque); });
+                result.worst_relative_error = 1.0;
+            }
+            result.reached = false;
+            break;
+        }
+        result.torque = std::move(found.torque);
+        result.momentum_defect = found.momentum_defect;
+        result.elements = elements;
+        result.steps = found.steps;
+        if (level > 0) {
+            result.error = differences(result.torque, coarse);
+            const std::vector<double> scale = torque_scale(result.torque);
+            result.worst_relative_error = 0.0;
+            for (std::size_t k = 0; k < scale.size(); ++k) {
+                // Rounding of thousands of steps: never claim less.
+                result.error[k] = std::max(result.error[k], 1e-12 * scale[k]);
+                if (scale[k] > 0.0) {
+                    result.worst_relative_error =
+                        std::max(result.worst_relative_error, result.error[k] / scale[k]);
+                }
+            }
+            result.reached = result.worst_relative_error <= accuracy;
+            if (result.reached || elements > most_elements / 2) {
+                break;
+            }
+        } else {
+            result.error.assign(result.torque.size(), std::numeric_limits<double>::infinity());
+        }
+        coarse = result.torque;
+        elements *= 2;
+        tolerance = std::max(tolerance / 16.0, 1e-12);
+    }
+    return result;
+}
+
+} // namespace searle::solvers::radial

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "laws/flow/flow_law.hpp"
+#include "rheometry/speed_history.hpp"
+#include "solvers/progress.hpp"
+#include "solvers/radial/rotor_gaps.hpp"
+
+#include <span>
+#include <vector>
+
+namespace searle::solvers::radial {
+
+/// Drive torque at every row, with the error found by comparing two resolutions.
+struct TransientTorque {
+    std::vector<double> torque; ///< N m (N for the box); fewer than asked when cut short
+    std::vector<double> error;  ///< estimate, same unit
+    bool reached{};             ///< every row meets the asked accuracy by its own estimate
+    bool interrupted{};
+    double worst_relative_error{}; ///< largest error over the row's scale, see `torque_scale`
+    double momentum_defect{};
+    int levels{};
+    int elements{};
+    long steps{};
+    long linear_solves{};
+};
+
+/// What an error is measured against at each row: the torque there, but at least a thousandth of
+/// the largest so far, since a torque that passes through zero has no relative error.
+[[nodiscard]] std::vector<double> torque_scale(std::span<const double> torque);
+
+/// Thickness of the momentum layer at the first row after each kink or jump; the smallest of them,
+/// m.
+[[nodiscard]] double thinnest_layer(const GapShape& shape, const laws::flow::AnyFlowLaw& law,
+                                    const rheometry::SpeedHistory& history);
+
+/// Solves all gaps on finer and finer levels (elements doubled, step tolerance by sixteen, the
+/// order of the scheme) until two levels agree to `accuracy` at every row. The finer level's torque
+/// is the result and the difference of the two its error bar; for a converging level that is
+/// several times the true error.
+[[nodiscard]] TransientTorque solve_levels(std::span<const RotorGap> gaps,
+                                           const laws::flow::AnyFlowLaw& law,
+                                           const rheometry::SpeedHistory& history, double accuracy,
+                                           const ProgressSink& progress);
+
+} // namespace searle::solvers::radial
