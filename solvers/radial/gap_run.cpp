@@ -24,6 +24,7 @@ public:
     Run(const GapShape& shape, const Law& law, const rheometry::SpeedHistory& history,
         const GapResolution& resolution)
         : shape_(shape), history_(history), tolerance_(resolution.step_tolerance),
+          steps_per_row_(resolution.steps_per_row),
           grid_(graded_grid(shape, resolution.layer, resolution.elements)),
           system_(shape, grid_, law) {
         const std::size_t count = system_.elements();
@@ -178,14 +179,16 @@ private:
     }
 
     bool advance_to(const Piece& piece, double target) {
+        const double longest = (target - time_) / steps_per_row_;
         while (time_ < target) {
             const double left = target - time_;
             if (left <= 1e-13 * std::max(target, 1e-300)) {
                 break;
             }
             // Equal steps up to the target rather than a stub at its end.
-            const double steps_left = std::ceil(left / step_ * (1.0 - 1e-12));
-            const double step = steps_left > 1e9 ? step_ : left / std::max(1.0, steps_left);
+            const double steps_left = std::ceil(left / std::min(step_, longest) * (1.0 - 1e-12));
+            const double step =
+                steps_left > 1e9 ? std::min(step_, longest) : left / std::max(1.0, steps_left);
             if (run_.steps + run_.rejected > most_steps || step < 1e-15 * left) {
                 return false;
             }
@@ -196,11 +199,9 @@ private:
             if (error <= tolerance_) {
                 ++run_.steps;
                 time_ = steps_left <= 1.0 ? target : time_ + step;
+                const double next = step * std::clamp(factor, 0.3, 5.0);
                 // A step cut short to land on the target must not shrink the next one.
-                step_ = std::max(steps_left <= 1.0 ? step_ : 0.0, step) *
-                        std::clamp(factor, 0.3, 5.0) *
-                        (steps_left <= 1.0 && step < step_ ? std::min(1.0, 1.0 / factor) : 1.0);
-                step_ = std::max(step_, step * std::clamp(factor, 0.3, 5.0));
+                step_ = step < 0.99 * step_ ? std::max(step_, next) : next;
             } else {
                 ++run_.rejected;
                 step_ = step * std::clamp(factor, 0.1, 0.8);
@@ -288,6 +289,7 @@ private:
     GapShape shape_;
     const rheometry::SpeedHistory& history_;
     double tolerance_;
+    int steps_per_row_;
     std::vector<double> grid_;
     GapSystem<Law> system_;
     GapRun run_;

@@ -13,6 +13,7 @@ namespace searle::solvers::radial {
 struct GapResolution {
     int elements{};
     double layer{};          ///< thickness for graded_grid, m
+    int steps_per_row = 1;   ///< at least so many steps from row to row
     double step_tolerance{}; ///< local error of the flux in a step, relative to the largest flux
 };
 

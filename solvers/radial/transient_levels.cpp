@@ -32,7 +32,8 @@ struct Level {
 
 Level run_level(std::span<const RotorGap> gaps, const laws::flow::AnyFlowLaw& law,
                 const rheometry::SpeedHistory& history, std::span<const double> layers,
-                int elements, double tolerance, const std::function<void(double)>& at) {
+                int elements, int steps_per_row, double tolerance,
+                const std::function<void(double)>& at) {
     Level level;
     const std::size_t rows = history.row_times.size();
     level.torque.assign(rows, 0.0);
@@ -41,7 +42,11 @@ Level run_level(std::span<const RotorGap> gaps, const laws::flow::AnyFlowLaw& la
         std::vector<double> flux;
         std::size_t done = 0;
         try {
-            GapRun run = run_gap(gaps[g].shape, law, history, {elements, layers[g], tolerance},
+            GapRun run = run_gap(gaps[g].shape, law, history,
+                                 {.elements = elements,
+                                  .layer = layers[g],
+                                  .steps_per_row = steps_per_row,
+                                  .step_tolerance = tolerance},
                                  [&](std::size_t row, double wall_flux) {
                                      flux.push_back(wall_flux);
                                      at((static_cast<double>(g) +
@@ -152,7 +157,7 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
                 progress(level == 0 ? 0.2 * fraction : 0.2 + 0.8 * fraction, stage);
             }
         };
-        Level found = run_level(gaps, law, history, layers, elements, tolerance, at);
+        Level found = run_level(gaps, law, history, layers, elements, 1 << level, tolerance, at);
         result.linear_solves += found.linear_solves;
         result.levels = level + 1;
         if (found.interrupted || !found.finished) {
