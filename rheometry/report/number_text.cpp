@@ -26,14 +26,22 @@ std::string superscript_integer(int number) {
 }
 
 void drop_trailing_zeros(std::string& digits) {
-    if (digits.find('.') == std::string::npos) { return; }
+    if (digits.find('.') == std::string::npos) {
+        return;
+    }
     digits.erase(digits.find_last_not_of('0') + 1);
-    if (digits.back() == '.') { digits.pop_back(); }
+    if (digits.back() == '.') {
+        digits.pop_back();
+    }
 }
 
 std::string number_text(double value, int digits, bool keep_zeros) {
-    if (!std::isfinite(value)) { return "\u2013"; }
-    if (value == 0.0) { return "0"; }
+    if (!std::isfinite(value)) {
+        return "\u2013";
+    }
+    if (value == 0.0) {
+        return "0";
+    }
     digits = std::clamp(digits, 1, 17);
     // The exponent after rounding: 9.996 to three digits is 10.0.
     const std::string scientific = fmt::format("{:.{}e}", std::abs(value), digits - 1);
@@ -44,10 +52,14 @@ std::string number_text(double value, int digits, bool keep_zeros) {
         // Digits before the point beyond the significant ones are zeros.
         const double rounded = exponent < digits ? std::abs(value) : std::atof(scientific.c_str());
         text = fmt::format("{:.{}f}", rounded, std::max(0, digits - 1 - exponent));
-        if (!keep_zeros) { drop_trailing_zeros(text); }
+        if (!keep_zeros) {
+            drop_trailing_zeros(text);
+        }
     } else {
         std::string mantissa = scientific.substr(0, mark);
-        if (!keep_zeros) { drop_trailing_zeros(mantissa); }
+        if (!keep_zeros) {
+            drop_trailing_zeros(mantissa);
+        }
         text = mantissa == "1" ? "" : fmt::format("{0}{1}\u00d7{1}", mantissa, thin_space);
         text += "10" + superscript_integer(exponent);
     }
@@ -58,11 +70,17 @@ std::string number_text(double value, int digits, bool keep_zeros) {
 
 std::string significant(double value, int digits) { return number_text(value, digits, false); }
 
-std::string significant_padded(double value, int digits) { return number_text(value, digits, true); }
+std::string significant_padded(double value, int digits) {
+    return number_text(value, digits, true);
+}
 
 std::string rounded_to_error(double value, double error) {
-    if (!std::isfinite(value) || value == 0.0) { return significant(value, 1); }
-    if (!std::isfinite(error) || error <= 0.0) { return significant(value, 10); }
+    if (!std::isfinite(value) || value == 0.0) {
+        return significant(value, 1);
+    }
+    if (!std::isfinite(error) || error <= 0.0) {
+        return significant(value, 10);
+    }
     const double leading = std::floor(std::log10(std::abs(value)));
     const double last = std::floor(std::log10(error)) - 1.0;
     const double digits = std::clamp(leading - last + 1.0, 3.0, 15.0);
@@ -70,9 +88,15 @@ std::string rounded_to_error(double value, double error) {
 }
 
 std::string relative_text(double fraction, int digits) {
-    if (!std::isfinite(fraction)) { return "\u2013"; }
-    if (fraction == 0.0) { return "0"; }
-    if (std::abs(fraction) < 1e-5) { return significant(fraction, digits); }
+    if (!std::isfinite(fraction)) {
+        return "\u2013";
+    }
+    if (fraction == 0.0) {
+        return "0";
+    }
+    if (std::abs(fraction) < 1e-5) {
+        return significant(fraction, digits);
+    }
     return significant(100.0 * fraction, digits) + "\u00a0%";
 }
 
@@ -87,7 +111,9 @@ DisplayUnit display_unit(std::string_view si_unit, double largest) {
             name += c;
         }
     }
-    if (si_unit == "1" || si_unit.empty()) { return {1.0, ""}; }
+    if (si_unit == "1" || si_unit.empty()) {
+        return {1.0, ""};
+    }
     const bool length = si_unit == "m";
     const bool takes_prefix = si_unit.starts_with("Pa") || si_unit.starts_with("N") ||
                               si_unit == "s" || length || si_unit == "m/s";
@@ -106,7 +132,9 @@ DisplayUnit display_unit(std::string_view si_unit, double largest) {
     }
     // 0.9995 and 1 are shown alike, so the step to the next prefix leaves room for rounding.
     constexpr double rounding = 1.0 + 1e-9;
-    if (length && size * rounding >= 1e-4 && size < 1.0) { return {1e3, "mm"}; }
+    if (length && size * rounding >= 1e-4 && size < 1.0) {
+        return {1e3, "mm"};
+    }
     struct Prefix {
         double per_si;
         std::string_view letter;

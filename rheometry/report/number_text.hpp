@@ -14,8 +14,8 @@ namespace searle::rheometry::report {
 /// The same with exactly `digits` significant digits, trailing zeros kept.
 [[nodiscard]] std::string significant_padded(double value, int digits);
 
-/// The digits of `value` that an error of size `error` leaves: down to the second significant digit of
-/// the error, 3 to 15 digits in all; 10 digits where the error is 0 or unknown.
+/// The digits of `value` that an error of size `error` leaves: down to the second significant digit
+/// of the error, 3 to 15 digits in all; 10 digits where the error is 0 or unknown.
 [[nodiscard]] std::string rounded_to_error(double value, double error);
 
 /// A relative number as percent: "0.1 %", "1.2 × 10⁻⁶ %" never, below 0.001 % it is "1.2 × 10⁻⁸".
@@ -27,9 +27,9 @@ struct DisplayUnit {
     std::string name; ///< "mPa s"; empty for pure numbers
 };
 
-/// The unit with the SI prefix that suits numbers up to `largest` (SI, sign ignored). Only Pa, N, m, s
-/// and what starts with them take a prefix; rates and angles stay as they are; lengths stay in mm
-/// from 0.1 mm up to 1 m. `si_unit` is written as in case files: "Pa.s", "N m", "1/s", "1".
+/// The unit with the SI prefix that suits numbers up to `largest` (SI, sign ignored). Only Pa, N,
+/// m, s and what starts with them take a prefix; rates and angles stay as they are; lengths stay in
+/// mm from 0.1 mm up to 1 m. `si_unit` is written as in case files: "Pa.s", "N m", "1/s", "1".
 [[nodiscard]] DisplayUnit display_unit(std::string_view si_unit, double largest);
 
 /// "1.0016 mPa s".

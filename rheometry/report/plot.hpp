@@ -3,6 +3,7 @@
 #include "rheometry/report/rich_text.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,9 +32,10 @@ struct Series {
     RichText name; ///< for the legend; empty: not in the legend
     std::vector<double> x;
     std::vector<double> y;
-    std::vector<double> error;           ///< half-lengths of the error bars; empty: none
-    std::vector<std::string> tips;       ///< plain text shown when pointing at a marker; empty: none
-    int colour = 0;                      ///< 0 ... series_colour_count - 1
+    std::vector<double> error; ///< half-lengths of the error bars; empty: none
+    /// Plain text shown when pointing at marker k; asked for the drawn ones only. Empty: none.
+    std::function<std::string(std::size_t)> tip;
+    int colour = 0; ///< 0 ... series_colour_count - 1
     Marker marker = Marker::none;
     bool open_marker = false;
     Stroke stroke = Stroke::none;
@@ -55,8 +57,8 @@ struct BandKind {
 };
 
 struct Plot {
-    std::string id; ///< unique within a page: letters, digits, hyphens
-    std::string title; ///< what a screen reader says
+    std::string id;     ///< unique within a page: letters, digits, hyphens
+    std::string title;  ///< what a screen reader says
     std::string letter; ///< "a" for panel (a); empty: none
     Axis x;
     Axis y;

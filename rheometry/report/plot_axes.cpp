@@ -18,10 +18,11 @@ bool AxisMap::can_show(double value) const {
 }
 
 double AxisMap::at(double value) const {
-    if (!can_show(value)) { return std::numeric_limits<double>::quiet_NaN(); }
-    const double share = scale_ == Scale::linear
-                             ? (value - low_) / (high_ - low_)
-                             : std::log(value / low_) / std::log(high_ / low_);
+    if (!can_show(value)) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    const double share = scale_ == Scale::linear ? (value - low_) / (high_ - low_)
+                                                 : std::log(value / low_) / std::log(high_ / low_);
     return low_pixel_ + share * (high_pixel_ - low_pixel_);
 }
 
@@ -56,20 +57,28 @@ Extent data_extent(const Plot& plot, Direction direction) {
     };
     Extent extent;
     for (const Series& series : plot.series) {
-        if (!series.sets_range) { continue; }
+        if (!series.sets_range) {
+            continue;
+        }
         for (std::size_t k = 0; k < std::min(series.x.size(), series.y.size()); ++k) {
-            if (!can_show(plot.x, series.x[k]) || !can_show(plot.y, series.y[k])) { continue; }
+            if (!can_show(plot.x, series.x[k]) || !can_show(plot.y, series.y[k])) {
+                continue;
+            }
             if (direction == Direction::x) {
                 extent.include(series.x[k]);
                 continue;
             }
             extent.include(series.y[k]);
             const double error = k < series.error.size() ? series.error[k] : 0.0;
-            if (!std::isfinite(error) || error <= 0.0) { continue; }
+            if (!std::isfinite(error) || error <= 0.0) {
+                continue;
+            }
             extent.include(series.y[k] + error);
             // A bar that reaches zero would stretch a logarithmic axis without end.
             const double lower = series.y[k] - error;
-            if (!logarithmic || lower > 0.2 * series.y[k]) { extent.include(lower); }
+            if (!logarithmic || lower > 0.2 * series.y[k]) {
+                extent.include(lower);
+            }
         }
     }
     return extent;
@@ -82,7 +91,9 @@ void widen_to(Extent& extent, double span) {
 }
 
 AxisMap linear_axis(const Axis& axis, Extent extent) {
-    if (extent.empty()) { extent = {0.0, 1.0}; }
+    if (extent.empty()) {
+        extent = {0.0, 1.0};
+    }
     const double size = std::max(std::abs(extent.low), std::abs(extent.high));
     if (size == 0.0) {
         extent = {0.0, 1.0};
@@ -93,15 +104,21 @@ AxisMap linear_axis(const Axis& axis, Extent extent) {
     const double margin = 0.045 * span;
     double low = extent.low - margin;
     double high = extent.high + margin;
-    if (extent.low >= 0.0 && extent.low <= axis.reach_for_zero * span) { low = 0.0; }
-    if (extent.high <= 0.0 && -extent.high <= axis.reach_for_zero * span) { high = 0.0; }
+    if (extent.low >= 0.0 && extent.low <= axis.reach_for_zero * span) {
+        low = 0.0;
+    }
+    if (extent.high <= 0.0 && -extent.high <= axis.reach_for_zero * span) {
+        high = 0.0;
+    }
     low = axis.low.value_or(low);
     high = axis.high.value_or(high);
     return high > low ? AxisMap{axis.scale, low, high} : AxisMap{axis.scale, low, low + 1.0};
 }
 
 AxisMap logarithmic_axis(const Axis& axis, Extent extent) {
-    if (extent.empty()) { extent = {1.0, 10.0}; }
+    if (extent.empty()) {
+        extent = {1.0, 10.0};
+    }
     const double least_ratio = 1.0 + std::max(axis.least_relative_span, 1e-3);
     if (extent.high / extent.low < least_ratio) {
         const double centre = std::sqrt(extent.low) * std::sqrt(extent.high);
@@ -117,7 +134,9 @@ AxisMap logarithmic_axis(const Axis& axis, Extent extent) {
 void draw_text(std::string& out, Pixel at, std::string_view anchor, std::string_view css_class,
                const RichText& text, double font) {
     out += "<text";
-    if (!css_class.empty()) { attribute(out, "class", css_class); }
+    if (!css_class.empty()) {
+        attribute(out, "class", css_class);
+    }
     attribute(out, "x", at.x);
     attribute(out, "y", at.y);
     attribute(out, "text-anchor", anchor);
@@ -192,14 +211,18 @@ void draw_axes(std::string& out, const Plot& plot, const PlotArea& area, const A
     for (const Tick& tick : x_ticks.major) {
         const double half = 0.5 * tick.label.width(tick_font);
         const double at = x.at(tick.value);
-        if (tick.label.empty() || at - half < free_from) { continue; }
+        if (tick.label.empty() || at - half < free_from) {
+            continue;
+        }
         draw_text(out, {at, area.bottom + 18.0}, "middle", "", tick.label, tick_font);
         free_from = at + half + 6.0;
     }
     double free_below = 1e9;
     for (const Tick& tick : y_ticks.major) {
         const double at = y.at(tick.value);
-        if (tick.label.empty() || at + 7.0 > free_below) { continue; }
+        if (tick.label.empty() || at + 7.0 > free_below) {
+            continue;
+        }
         draw_text(out, {area.left - 7.0, at + 4.3}, "end", "", tick.label, tick_font);
         free_below = at - 7.0;
     }

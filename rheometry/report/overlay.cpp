@@ -1,0 +1,209 @@
+#include "rheometry/report/deviation.hpp"
+#include "rheometry/report/figure.hpp"
+#include "rheometry/report/flow_series.hpp"
+#include "rheometry/report/number_text.hpp"
+#include "rheometry/report/page.hpp"
+#include "rheometry/report/quantity.hpp"
+#include "rheometry/report/report.hpp"
+#include "rheometry/report/svg_style.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+
+namespace searle::rheometry::report {
+
+namespace {
+
+// Beyond this many runs markers only hide each other; lines stay.
+constexpr std::size_t most_marked_runs = 12;
+
+double largest_of_runs(const OverlayInput& input, Quantity quantity) {
+    double largest = 0.0;
+    for (const OverlayRun& run : input.runs) {
+        largest = std::max(largest, largest_value(run.rheogram, quantity));
+    }
+    return largest;
+}
+
+CurveView view_of_runs(const OverlayInput& input, Quantity y) {
+    CurveView view;
+    view.x = Quantity::shear_rate;
+    view.y = y;
+    view.x_unit = display_unit("1/s", largest_of_runs(input, view.x));
+    view.y_unit = display_unit(look_of(y, true).si_unit, largest_of_runs(input, y));
+    return view;
+}
+
+bool same_fluid(const FluidDescription& a, const FluidDescription& b) {
+    return a.model == b.model &&
+           std::equal(a.parameters.begin(), a.parameters.end(), b.parameters.begin(),
+                      b.parameters.end(), [](const Parameter& p, const Parameter& q) {
+                          return p.key == q.key && p.value == q.value;
+                      });
+}
+
+// The fluids of the runs, each once.
+std::vector<const FluidDescription*> fluids_of(const OverlayInput& input) {
+    std::vector<const FluidDescription*> fluids;
+    for (const OverlayRun& run : input.runs) {
+        const bool known = std::any_of(fluids.begin(), fluids.end(), [&](const auto* fluid) {
+            return same_fluid(*fluid, run.fluid);
+        });
+        if (!known && run.fluid.true_stress) {
+            fluids.push_back(&run.fluid);
+        }
+    }
+    return fluids;
+}
+
+void add_runs(Plot& plot, const OverlayInput& input, const CurveView& view) {
+    constexpr std::array markers{Marker::circle, Marker::square, Marker::triangle, Marker::diamond};
+    RateRange range{std::nan(""), std::nan(""), std::nan("")};
+    for (const OverlayRun& run : input.runs) {
+        const RateRange own = rate_range(run.rheogram);
+        range.lowest = std::fmin(range.lowest, own.lowest);
+        range.highest = std::fmax(range.highest, own.highest);
+        range.lowest_positive = std::fmin(range.lowest_positive, own.lowest_positive);
+    }
+    const double lowest = plot.x.scale == Scale::logarithmic ? range.lowest_positive : range.lowest;
+    const std::vector<const FluidDescription*> fluids = fluids_of(input);
+    for (const FluidDescription* fluid : fluids) {
+        Series law = law_series(fluid->true_stress, lowest, range.highest, view, plot.x.scale);
+        if (fluid != fluids.front()) {
+            law.name = RichText{};
+        }
+        law.stroke = Stroke::dashed;
+        plot.series.push_back(std::move(law));
+    }
+    int index = 0;
+    for (const MeasuredSeries& measured : input.measured) {
+        plot.series.push_back(measured_series(measured, view, index++));
+    }
+    // Black is the law's; every pass through the other colours takes the next marker.
+    constexpr std::size_t colours = series_colour_count - 1;
+    for (std::size_t k = 0; k < input.runs.size(); ++k) {
+        const OverlayRun& run = input.runs[k];
+        Series curve;
+        curve.name = RichText{run.name};
+        curve.colour = static_cast<int>(k % colours);
+        curve.stroke = Stroke::solid;
+        curve.thin = true;
+        if (input.runs.size() <= most_marked_runs) {
+            curve.marker = markers[(k / colours) % markers.size()];
+        }
+        for (const RheogramPoint& point : run.rheogram.points) {
+            curve.x.push_back(value_of(point, view.x) * view.x_unit.per_si);
+            curve.y.push_back(value_of(point, view.y) * view.y_unit.per_si);
+            curve.error.push_back(error_of(point, view.y, run.conversion) * view.y_unit.per_si);
+        }
+        curve.tip = [&run](std::size_t point) {
+            return run.name + "\n" + point_tip(run.rheogram.points[point], true, run.transient);
+        };
+        plot.series.push_back(std::move(curve));
+    }
+}
+
+Figure overlay_figure(const OverlayInput& input, Quantity y, const std::string& name) {
+    const CurveView view = view_of_runs(input, y);
+    std::vector<double> rates;
+    bool positive = !input.runs.empty();
+    for (const OverlayRun& run : input.runs) {
+        for (const double rate : column(run.rheogram, Quantity::shear_rate)) {
+            rates.push_back(rate);
+        }
+        positive = positive && has_positive_pair(run.rheogram, view.x, y);
+    }
+    FigureBuilder builder;
+    const auto add = [&](Scale x_scale, Scale y_scale, const std::string& id) {
+        Plot plot;
+        plot.id = name + id;
+        plot.title = look_of(y, true).name + " over shear rate, all runs";
+        plot.x = x_axis(view, x_scale);
+        plot.y = y_axis(view, y_scale);
+        plot.plot_height = 330.0;
+        add_runs(plot, input, view);
+        builder.add(std::move(plot));
+    };
+    add(Scale::linear, Scale::linear, "-linear");
+    if (positive) {
+        add(Scale::logarithmic, Scale::logarithmic, "-log");
+    }
+    const std::string symbol = "<i>" + look_of(y, true).symbol + "</i>";
+    std::string caption =
+        look_of(y, true).name + " " + symbol + " over shear rate <i>\u03b3\u0307</i> of all runs";
+    caption += positive ? ", on linear (a) and logarithmic (b) axes." : ".";
+    caption += " Dashed: the flow law. Bars: the solver\u2019s estimate of its numerical error.";
+    return builder.finish(std::move(caption));
+}
+
+std::string run_table(const OverlayInput& input) {
+    std::string out =
+        "<div class=\"table scroll\"><table class=\"data\"><caption><b>Table 1.</b> The "
+        "runs.</caption><thead><tr><th class=\"words\">run</th>";
+    for (const std::string& key : input.swept_keys) {
+        out += "<th>" + escaped(key) + "</th>";
+    }
+    out +=
+        "<th>points</th><th>convention</th><th>rates<br><span class=\"unit\">1/s</span></th>"
+        "<th>largest deviation<br><span class=\"unit\">from the flow law</span></th>"
+        "<th>at<br><span class=\"unit\">1/s</span></th><th>numerical error<br><span class=\"unit\">"
+        "largest, estimated</span></th><th>time</th><th>warnings</th></tr></thead><tbody>\n";
+    for (const OverlayRun& run : input.runs) {
+        const std::string name = escaped(run.name);
+        out += "<tr><td class=\"words\">";
+        out += run.link.empty() ? name : "<a href=\"" + escaped(run.link) + "\">" + name + "</a>";
+        out += "</td>";
+        for (std::size_t k = 0; k < input.swept_keys.size(); ++k) {
+            out += "<td>" + (k < run.swept_values.size() ? escaped(run.swept_values[k]) : "") +
+                   "</td>";
+        }
+        const RateRange range = rate_range(run.rheogram);
+        const Deviation deviation = largest_deviation(run.rheogram, run.fluid.true_stress);
+        out += "<td>" + std::to_string(run.rheogram.points.size()) + "</td><td>" +
+               std::string{name_of(run.conversion.definition)} + "</td><td>" +
+               significant(range.lowest, 4) + " \u2013 " + significant(range.highest, 4) +
+               "</td><td>" + relative_text(deviation.largest, 3) + "</td><td>" +
+               (std::isfinite(deviation.largest) ? significant(deviation.at_rate, 4) : "") +
+               "</td><td>" + relative_text(largest_relative_error(run.rheogram), 2) + "</td><td>" +
+               (run.wall_seconds > 0.0 ? quantity_text(run.wall_seconds, "s", 3) : "") +
+               "</td><td>" + (run.warnings.empty() ? "" : std::to_string(run.warnings.size())) +
+               "</td></tr>\n";
+    }
+    return out + "</tbody></table></div>\n";
+}
+
+std::vector<std::string> all_warnings(const OverlayInput& input) {
+    std::vector<std::string> warnings = input.warnings;
+    for (const OverlayRun& run : input.runs) {
+        for (const std::string& warning : run.warnings) {
+            warnings.push_back(run.name + ": " + warning);
+        }
+    }
+    return warnings;
+}
+
+} // namespace
+
+std::string render_overlay(const OverlayInput& input) {
+    const std::string title = input.title.empty() ? "Sweep" : input.title;
+    std::string lead =
+        std::to_string(input.runs.size()) + (input.runs.size() == 1 ? " run" : " runs");
+    for (std::size_t k = 0; k < input.swept_keys.size(); ++k) {
+        lead += (k == 0 ? " over <code>" : ", <code>") + escaped(input.swept_keys[k]) + "</code>";
+    }
+    std::string body = page_header("Virtual rheometer, sweep", title, lead + ".");
+    body += warning_box(all_warnings(input));
+    body += paragraphs(input.remarks);
+    body += "<div class=\"figures\">\n";
+    body += figure_html(overlay_figure(input, Quantity::viscosity, "viscosity"), 1);
+    body += figure_html(overlay_figure(input, Quantity::shear_stress, "stress"), 2);
+    body += "</div>\n<h2>Runs</h2>\n" + run_table(input);
+    body += page_footer(input.provenance);
+    return page(title, body);
+}
+
+} // namespace searle::rheometry::report
