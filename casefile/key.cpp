@@ -125,11 +125,15 @@ Key& Key::at_most(const std::string& bound) {
     return *this;
 }
 Key& Key::not_in_new() {
-    in_new = false;
+    is_in_new = false;
     return *this;
 }
 Key& Key::given_in_new() {
-    needed_in_new = true;
+    is_needed_in_new = true;
+    return *this;
+}
+Key& Key::offered_in_new() {
+    is_offered_in_new = true;
     return *this;
 }
 
