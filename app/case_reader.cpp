@@ -64,30 +64,59 @@ std::optional<casefile::Sweep> read_sweep(const casefile::Node& root, casefile::
     return sweep;
 }
 
+/// The assignments of --set; faults for texts that are none, and for a sweep from outside the file.
+std::vector<casefile::Assignment> assignments_of(const std::vector<std::string>& overrides,
+                                                 std::vector<casefile::Fault>& faults) {
+    std::vector<casefile::Assignment> assignments;
+    for (const std::string& text : overrides)
+        casefile::parse_override(text, assignments, faults);
+    std::erase_if(assignments, [&faults](const casefile::Assignment& assignment) {
+        const bool sweeps = assignment.key == "sweep" || assignment.key.starts_with("sweep.");
+        if (sweeps)
+            faults.push_back({{assignment.key_place},
+                              assignment.key,
+                              "a sweep stands in the file",
+                              "keys of the other sections",
+                              ""});
+        return sweeps;
+    });
+    return assignments;
+}
+
+/// The trees of the file's cases, overrides included; empty when the sweep itself has a fault.
+std::vector<casefile::SweptCase> trees_of(const casefile::Document& document,
+                                          const std::filesystem::path& file,
+                                          const std::vector<std::string>& overrides,
+                                          Complaints& complaints) {
+    std::vector<casefile::Fault> faults;
+    const std::vector<casefile::Assignment> assignments = assignments_of(overrides, faults);
+    complaints.add(std::move(faults));
+    faults.clear();
+
+    casefile::Reading sweep_reading;
+    std::vector<casefile::SweptCase> trees;
+    if (const auto sweep = read_sweep(document.root, sweep_reading)) {
+        if (sweep_reading.faults.empty())
+            trees = casefile::cases_of(document.root, *sweep, assignments, faults);
+    } else {
+        trees.push_back({file.stem().string(), document.root});
+        for (const casefile::Assignment& assignment : assignments)
+            casefile::assign(trees.back().root, assignment, faults);
+    }
+    complaints.add(std::move(sweep_reading.faults));
+    complaints.add(std::move(faults));
+    return trees;
+}
+
 std::vector<Case> cases_in(const casefile::Document& document, const std::filesystem::path& file,
                            const std::vector<std::string>& overrides) {
     Complaints complaints;
     complaints.add(document.syntax_faults);
-    casefile::Reading sweep_reading;
-    std::vector<casefile::Assignment> assignments;
-    for (const std::string& text : overrides)
-        casefile::parse_override(text, assignments, sweep_reading.faults);
-
-    std::vector<casefile::SweptCase> swept;
-    if (const auto sweep = read_sweep(document.root, sweep_reading)) {
-        if (sweep_reading.faults.empty())
-            swept = casefile::cases_of(document.root, *sweep, assignments, sweep_reading.faults);
-    } else {
-        swept.push_back({file.stem().string(), document.root});
-        for (const casefile::Assignment& assignment : assignments)
-            casefile::assign(swept.back().root, assignment, sweep_reading.faults);
-    }
-    complaints.add(std::move(sweep_reading.faults));
-
     std::vector<Case> cases;
-    for (casefile::SweptCase& one : swept) {
+    for (casefile::SweptCase& one : trees_of(document, file, overrides, complaints)) {
         casefile::Reading reading;
         reading.reports_missing_keys = document.syntax_faults.empty();
+        reading.whole_file = case_keys().set().get();
         CaseAsWritten written;
         casefile::read_keys(*case_keys().set(), one.root, "", &written, reading);
         const bool is_valid = reading.faults.empty() && document.syntax_faults.empty();

@@ -47,8 +47,9 @@ constexpr std::string_view heading =
 } // namespace
 
 std::vector<std::string> geometry_names() {
+    const std::shared_ptr<const casefile::KeySet> keys = geometry::geometry_keys().set();
     std::vector<std::string> names;
-    for (const auto& alternative : geometry::geometry_keys().set()->selector->alternatives)
+    for (const casefile::Selector::Alternative& alternative : keys->selector->alternatives)
         names.push_back(alternative.name);
     return names;
 }

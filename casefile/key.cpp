@@ -44,7 +44,7 @@ std::string item_text(const Takes& takes) {
     std::string text = joined(parts, "or");
     const std::string bounds = bounds_text(takes);
     if (!bounds.empty())
-        text += " " + bounds;
+        text += fmt::format("{}{}", text.empty() ? "" : ", ", bounds);
     std::vector<std::string> names;
     for (const Word& word : takes.words)
         names.push_back(fmt::format("\"{}\"", word.name));
