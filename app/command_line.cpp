@@ -121,6 +121,23 @@ private:
         add_path(app, "CASE", options->case_file, "Case file (TOML)")->required();
         add_overrides(app, options->overrides);
     }
+    void add_convert() {
+        auto options = std::make_shared<ConvertOptions>();
+        CLI::App* app =
+            add("convert", "Turn measured torque and speed into stress and rate",
+                "lab.csv --case cases/din-bob-water.toml -o rheogram.csv", options, convert);
+        add_path(app, "DATA", options->data_file,
+                 "Measured data: delimited text, or a spreadsheet exported by TRIOS (.xls)")
+            ->required();
+        add_path(app, "--case", options->case_file, "Case file with the instrument")->required();
+        add_path(app, "-o,--output", options->output, "Table to write; default standard output");
+        app->add_option_function<std::string>(
+               "--step", [options](const std::string& text) { options->step = text; },
+               "Only this step of a spreadsheet, by name or number")
+            ->type_name("STEP");
+        add_overrides(app, options->overrides);
+        app->add_flag("--quiet", options->quiet, "Print no remarks");
+    }
     void add_report() {
         auto options = std::make_shared<ReportOptions>();
         CLI::App* app = add("report", "Make report.html again from a result folder",
@@ -166,13 +183,13 @@ private:
             };
         });
     }
-    void add_convert();
 
-    CLI::App program_{"A virtual rheometer: a case file in, a rheogram with error bars out", "searle"};
+    CLI::App program_{"A virtual rheometer: a case file in, a rheogram with error bars out",
+                      "searle"};
     Verb chosen_;
 };
 
-int wrong_usage(const std::string& message) {
+int refuse(const std::string& message) {
     std::fputs(fmt::format("searle: {}\n", message).c_str(), stderr);
     return ExitCode::wrong_usage;
 }
@@ -189,16 +206,15 @@ int run_command_line(int count, const char* const* words) {
     const std::vector<std::string> verbs = grammar.verb_names();
     if (!first.starts_with('-') && std::find(verbs.begin(), verbs.end(), first) == verbs.end()) {
         const auto meant = casefile::nearest_name(first, verbs);
-        return wrong_usage(fmt::format("there is no verb '{}'{}; `searle --help` lists them", first,
-                                       meant ? fmt::format(" (did you mean '{}'?)", *meant) : ""));
+        return refuse(fmt::format("there is no verb '{}'{}; `searle --help` lists them", first,
+                                  meant ? fmt::format(" (did you mean '{}'?)", *meant) : ""));
     }
     try {
         grammar.program().parse(count, words);
     } catch (const CLI::Success& asked) { // --help and --version
         return grammar.program().exit(asked);
     } catch (const CLI::Error& error) {
-        return wrong_usage(
-            fmt::format("{}; `searle {} --help` shows the usage", error.what(), first));
+        return refuse(fmt::format("{}; `searle {} --help` shows the usage", error.what(), first));
     }
     return with_failures_told(grammar.chosen());
 }

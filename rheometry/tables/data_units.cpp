@@ -31,6 +31,7 @@ constexpr std::array kinds{
     Kind{ColumnQuantity::shear_rate, {.time = -1}, "1/s"},
     Kind{ColumnQuantity::shear_stress, {.length = -1, .mass = 1, .time = -2}, "Pa, mPa, kPa"},
     Kind{ColumnQuantity::angle, {.angle = 1}, "rad, mrad, deg"},
+    Kind{ColumnQuantity::length, {.length = 1}, "mm, um, m"},
     Kind{ColumnQuantity::stress_constant, {.length = -3}, "Pa/(N.m)"},
     Kind{ColumnQuantity::strain_constant, {.angle = -1}, "1/rad"}};
 
