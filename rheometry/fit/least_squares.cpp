@@ -1,10 +1,18 @@
 #include "rheometry/fit/least_squares.hpp"
 
+// g++ 12 warns about its own AVX-512 intrinsics once Eigen has inlined them (GCC bug 105593).
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 #include <ceres/cost_function.h>
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 
 #include <Eigen/Dense>
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +68,7 @@ double sum_of_squares_at(const LeastSquaresProblem& problem, std::span<const dou
 } // namespace
 
 Minimum minimise(const LeastSquaresProblem& problem, std::span<const double> start,
-                 int most_iterations) {
+                 const SearchEffort& effort) {
     Minimum minimum;
     minimum.parameters.assign(start.begin(), start.end());
     std::vector<std::size_t> searched;
@@ -91,8 +99,8 @@ Minimum minimise(const LeastSquaresProblem& problem, std::span<const double> sta
     options.linear_solver_type = ceres::DENSE_QR;
     options.logging_type = ceres::SILENT;
     options.num_threads = 1;
-    options.max_num_iterations = most_iterations;
-    options.function_tolerance = 1e-16;
+    options.max_num_iterations = effort.most_iterations;
+    options.function_tolerance = effort.relative_decrease;
     options.gradient_tolerance = 1e-18;
     options.parameter_tolerance = 1e-13;
     ceres::Solver::Summary summary;
@@ -153,13 +161,49 @@ std::optional<std::vector<double>> inverse_normal_matrix(std::span<const double>
     return inverse;
 }
 
-double log_determinant(std::span<const double> normal_matrix, std::size_t size) {
+namespace {
+
+/// Cholesky factors of a matrix scaled to a unit diagonal.
+struct ScaledFactors {
+    Eigen::VectorXd scale;
+    Eigen::LLT<Eigen::MatrixXd> factors;
+    bool positive{};
+};
+
+ScaledFactors scaled_factors(std::span<const double> matrix, std::size_t size) {
     const auto count = static_cast<Eigen::Index>(size);
-    const Eigen::Map<const Eigen::MatrixXd> matrix(normal_matrix.data(), count, count);
-    const Eigen::LLT<Eigen::MatrixXd> factors(matrix);
-    if (factors.info() != Eigen::Success)
+    const Eigen::Map<const Eigen::MatrixXd> given(matrix.data(), count, count);
+    ScaledFactors result;
+    result.scale = given.diagonal().cwiseSqrt();
+    if (!(result.scale.minCoeff() > 0.0))
+        return result;
+    const Eigen::VectorXd inverse = result.scale.cwiseInverse();
+    result.factors.compute(inverse.asDiagonal() * given * inverse.asDiagonal());
+    result.positive = result.factors.info() == Eigen::Success &&
+                      Eigen::VectorXd(result.factors.matrixLLT().diagonal()).minCoeff() > 1e-7;
+    return result;
+}
+
+} // namespace
+
+double log_determinant(std::span<const double> matrix, std::size_t size) {
+    const ScaledFactors found = scaled_factors(matrix, size);
+    if (!found.positive)
         return -std::numeric_limits<double>::infinity();
-    return 2.0 * Eigen::VectorXd(factors.matrixLLT().diagonal()).array().log().sum();
+    return 2.0 * (Eigen::VectorXd(found.factors.matrixLLT().diagonal()).array().log().sum() +
+                  found.scale.array().log().sum());
+}
+
+std::vector<double> inverse_of_positive(std::span<const double> matrix, std::size_t size) {
+    const ScaledFactors found = scaled_factors(matrix, size);
+    if (!found.positive)
+        return {};
+    const auto count = static_cast<Eigen::Index>(size);
+    const Eigen::VectorXd inverse = found.scale.cwiseInverse();
+    const Eigen::MatrixXd result = inverse.asDiagonal() *
+                                   found.factors.solve(Eigen::MatrixXd::Identity(count, count)) *
+                                   inverse.asDiagonal();
+    return {result.data(), result.data() + result.size()};
 }
 
 } // namespace searle::rheometry::fit

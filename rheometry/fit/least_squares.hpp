@@ -28,11 +28,18 @@ struct Minimum {
     int iterations{};
 };
 
+/// How far a search goes.
+struct SearchEffort {
+    int most_iterations = 400;
+    /// Ends when a step lowers the sum of squares by less than this part.
+    double relative_decrease = 1e-16;
+};
+
 /// Levenberg-Marquardt with exact derivatives down to rounding (Ceres, trust region, dense QR).
 /// A start outside the bounds is moved to them. Not converged: the residuals have no value at the
 /// start, or the iterations ran out.
 [[nodiscard]] Minimum minimise(const LeastSquaresProblem& problem, std::span<const double> start,
-                               int most_iterations = 400);
+                               const SearchEffort& effort = {});
 
 /// Inverse of J^T J for the free parameters (rows and columns of the others are 0); no value when
 /// the free columns depend on each other to working precision.
@@ -41,7 +48,11 @@ struct Minimum {
 inverse_normal_matrix(std::span<const double> jacobian, std::size_t parameters,
                       const std::vector<bool>& is_free);
 
-/// ln det of J^T J, columns scaled by the caller; -infinity when singular.
-[[nodiscard]] double log_determinant(std::span<const double> normal_matrix, std::size_t size);
+/// ln det of a symmetric matrix, row by row; -infinity when it is not positive definite.
+[[nodiscard]] double log_determinant(std::span<const double> matrix, std::size_t size);
+
+/// Inverse of a symmetric positive definite matrix; empty when it is none to working precision.
+[[nodiscard]] std::vector<double> inverse_of_positive(std::span<const double> matrix,
+                                                      std::size_t size);
 
 } // namespace searle::rheometry::fit

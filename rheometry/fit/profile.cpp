@@ -10,6 +10,9 @@ namespace {
 constexpr double relative_tolerance = 2e-3; ///< of the distance to the optimum
 /// A lower sum of squares than this much below the minimum is a better optimum, not rounding.
 constexpr double better_by = 1e-7;
+/// The rise counts to a few parts in 1000, and a neighbour's optimum is a good start; where the
+/// other parameters hardly matter, a search to the last digit would crawl for ever.
+constexpr SearchEffort effort{.most_iterations = 30, .relative_decrease = 1e-7};
 
 /// One point of the profile: parameter held, all others at their best.
 struct ProfilePoint {
@@ -28,6 +31,7 @@ public:
     struct End {
         double value{};
         bool reached = true;
+        std::vector<double> parameters;
     };
 
     End walk(double direction, double quantile) {
@@ -35,7 +39,7 @@ public:
         const double bound = direction > 0.0 ? problem_.high[index_] : problem_.low[index_];
         ProfilePoint inside{optimum, 0.0, minimum_.parameters};
         if (bound == optimum)
-            return {bound, false};
+            return {bound, false, minimum_.parameters};
         double step = first_step(quantile);
         ProfilePoint outside;
         // Outwards until the rise is large enough.
@@ -48,7 +52,7 @@ public:
             if (better_ || outside.distance >= quantile)
                 break;
             if (at_bound || tries > 60)
-                return {bound, false};
+                return {bound, false, outside.parameters};
             const double growth = quantile / std::max(outside.distance, 0.2 * quantile);
             inside = outside;
             step = std::abs(value - optimum) * std::clamp(1.02 * growth, 1.02, 5.0);
@@ -61,12 +65,12 @@ public:
             double value = inside.value + share * (outside.value - inside.value);
             if (std::abs(outside.distance - quantile) <= relative_tolerance * quantile &&
                 outside_miss == outside.distance - quantile)
-                return {value, true};
+                return {value, true, outside.parameters};
             if (!(std::isfinite(value)))
                 value = 0.5 * (inside.value + outside.value);
             if (std::abs(outside.value - inside.value) <=
                 1e-12 * std::max(std::abs(optimum), std::abs(value)))
-                return {value, true};
+                return {value, true, outside.parameters};
             const ProfilePoint point = at(value, inside);
             const double miss = point.distance - quantile;
             if (std::abs(miss) <= relative_tolerance * quantile) {
@@ -74,7 +78,7 @@ public:
                 const ProfilePoint& other = miss < 0.0 ? outside : inside;
                 const double other_miss = other.distance - quantile;
                 return {point.value + miss / (miss - other_miss) * (other.value - point.value),
-                        true};
+                        true, point.parameters};
             }
             if (miss < 0.0) {
                 inside = point;
@@ -86,11 +90,10 @@ public:
                 inside_miss *= 0.5;
             }
         }
-        return {0.5 * (inside.value + outside.value), true};
+        return {0.5 * (inside.value + outside.value), true, outside.parameters};
     }
 
     [[nodiscard]] const std::optional<Minimum>& better() const { return better_; }
-    [[nodiscard]] bool failed() const { return failed_; }
 
 private:
     [[nodiscard]] double first_step(double quantile) const {
@@ -124,18 +127,16 @@ private:
         held_.low[index_] = value;
         held_.high[index_] = value;
         start[index_] = value;
-        Minimum best = minimise(held_, start);
-        if (!best.converged || !std::isfinite(best.sum_of_squares)) {
+        Minimum best = minimise(held_, start, effort);
+        if (!std::isfinite(best.sum_of_squares)) {
             std::vector<double> from_optimum = minimum_.parameters;
             from_optimum[index_] = value;
-            Minimum again = minimise(held_, from_optimum);
-            if (again.sum_of_squares < best.sum_of_squares || !std::isfinite(best.sum_of_squares))
+            Minimum again = minimise(held_, from_optimum, effort);
+            if (again.sum_of_squares < best.sum_of_squares)
                 best = std::move(again);
         }
         held_.low[index_] = problem_.low[index_];
         held_.high[index_] = problem_.high[index_];
-        if (!best.converged)
-            failed_ = true;
         const double rise = best.sum_of_squares - minimum_.sum_of_squares;
         if (rise < -better_by * minimum_.sum_of_squares)
             better_ = best;
@@ -149,7 +150,6 @@ private:
     double variance_;
     std::span<const double> covariance_;
     std::optional<Minimum> better_;
-    bool failed_ = false;
 };
 
 } // namespace
@@ -159,16 +159,17 @@ ProfileInterval profile_interval(const LeastSquaresProblem& problem, const Minim
                                  std::span<const double> covariance) {
     ProfileWalk walk(problem, minimum, index, variance, covariance);
     ProfileInterval interval;
-    const ProfileWalk::End low = walk.walk(-1.0, quantile);
+    ProfileWalk::End low = walk.walk(-1.0, quantile);
     interval.low = low.value;
     interval.low_reached = low.reached;
+    interval.at_low = std::move(low.parameters);
     if (!walk.better()) {
-        const ProfileWalk::End high = walk.walk(1.0, quantile);
+        ProfileWalk::End high = walk.walk(1.0, quantile);
         interval.high = high.value;
         interval.high_reached = high.reached;
+        interval.at_high = std::move(high.parameters);
     }
     interval.better = walk.better();
-    interval.failed = walk.failed();
     return interval;
 }
 

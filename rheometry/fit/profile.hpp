@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace searle::rheometry::fit {
 
@@ -14,7 +15,8 @@ struct ProfileInterval {
     double high{};
     bool low_reached = true;  ///< false: `low` is the parameter's bound, and still within
     bool high_reached = true; ///< the same for `high`
-    bool failed = false;      ///< a search on the way did not converge
+    std::vector<double> at_low;  ///< all parameters where the interval ends
+    std::vector<double> at_high;
     /// A better optimum that was met on the way; the interval is then void.
     std::optional<Minimum> better;
 };
