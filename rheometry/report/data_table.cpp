@@ -3,6 +3,7 @@
 #include "rheometry/report/number_text.hpp"
 #include "rheometry/report/quantity.hpp"
 #include "rheometry/report/regime_shading.hpp"
+#include "rheometry/report/rich_text.hpp"
 #include "rheometry/report/thinning.hpp"
 
 #include <cmath>

@@ -162,9 +162,4 @@ std::string quantity_text(double value, std::string_view si_unit, int digits) {
     return unit.name.empty() ? number : number + "\u00a0" + unit.name;
 }
 
-RichText unit_text(std::string_view si_unit) {
-    const DisplayUnit unit = display_unit(si_unit, 0.0);
-    return RichText{unit.name};
-}
-
 } // namespace searle::rheometry::report

@@ -5,6 +5,7 @@
 #include "rheometry/report/page.hpp"
 #include "rheometry/report/quantity.hpp"
 #include "rheometry/report/report.hpp"
+#include "rheometry/report/rich_text.hpp"
 #include "rheometry/report/svg_style.hpp"
 
 #include <algorithm>
@@ -12,7 +13,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace searle::rheometry::report {
 
@@ -60,8 +63,47 @@ std::vector<const FluidDescription*> fluids_of(const OverlayInput& input) {
     return fluids;
 }
 
-void add_runs(Plot& plot, const OverlayInput& input, const CurveView& view) {
+struct Look {
+    int colour{};
+    Marker marker{};
+};
+
+// Of two swept keys the first chooses the colour and the second the marker, as long as both have
+// few values; otherwise the runs take the colours in turn and each pass through them the next
+// marker.
+Look look_of_run(const OverlayInput& input, std::size_t run) {
     constexpr std::array markers{Marker::circle, Marker::square, Marker::triangle, Marker::diamond};
+    constexpr std::size_t colours = series_colour_count - 1; // black is the law's
+    const auto rank_of_value = [&](std::size_t key) {
+        std::vector<std::string> values;
+        std::size_t rank = 0;
+        for (std::size_t k = 0; k < input.runs.size(); ++k) {
+            const std::string& value = input.runs[k].swept_values.at(key);
+            const auto found = std::find(values.begin(), values.end(), value);
+            if (k == run) {
+                rank = static_cast<std::size_t>(found - values.begin());
+            }
+            if (found == values.end()) {
+                values.push_back(value);
+            }
+        }
+        return std::pair{rank, values.size()};
+    };
+    const bool two_keys = input.swept_keys.size() == 2 &&
+                          std::all_of(input.runs.begin(), input.runs.end(), [](const auto& each) {
+                              return each.swept_values.size() == 2;
+                          });
+    if (two_keys) {
+        const auto [first, firsts] = rank_of_value(0);
+        const auto [second, seconds] = rank_of_value(1);
+        if (firsts <= colours && seconds <= markers.size()) {
+            return {static_cast<int>(first), markers[second]};
+        }
+    }
+    return {static_cast<int>(run % colours), markers[(run / colours) % markers.size()]};
+}
+
+void add_runs(Plot& plot, const OverlayInput& input, const CurveView& view) {
     RateRange range{std::nan(""), std::nan(""), std::nan("")};
     for (const OverlayRun& run : input.runs) {
         const RateRange own = rate_range(run.rheogram);
@@ -83,17 +125,16 @@ void add_runs(Plot& plot, const OverlayInput& input, const CurveView& view) {
     for (const MeasuredSeries& measured : input.measured) {
         plot.series.push_back(measured_series(measured, view, index++));
     }
-    // Black is the law's; every pass through the other colours takes the next marker.
-    constexpr std::size_t colours = series_colour_count - 1;
     for (std::size_t k = 0; k < input.runs.size(); ++k) {
         const OverlayRun& run = input.runs[k];
         Series curve;
         curve.name = RichText{run.name};
-        curve.colour = static_cast<int>(k % colours);
+        const Look look = look_of_run(input, k);
+        curve.colour = look.colour;
         curve.stroke = Stroke::solid;
         curve.thin = true;
         if (input.runs.size() <= most_marked_runs) {
-            curve.marker = markers[(k / colours) % markers.size()];
+            curve.marker = look.marker;
         }
         for (const RheogramPoint& point : run.rheogram.points) {
             curve.x.push_back(value_of(point, view.x) * view.x_unit.per_si);
@@ -141,37 +182,43 @@ Figure overlay_figure(const OverlayInput& input, Quantity y, const std::string& 
 }
 
 std::string run_table(const OverlayInput& input) {
+    const bool any_warnings = std::any_of(input.runs.begin(), input.runs.end(),
+                                          [](const auto& run) { return !run.warnings.empty(); });
     std::string out =
-        "<div class=\"table scroll\"><table class=\"data\"><caption><b>Table 1.</b> The "
+        "<div class=\"table scroll\"><table class=\"data runs\"><caption><b>Table 1.</b> The "
         "runs.</caption><thead><tr><th class=\"words\">run</th>";
     for (const std::string& key : input.swept_keys) {
-        out += "<th>" + escaped(key) + "</th>";
+        const std::string name = key.substr(key.rfind('.') + 1); // without a dot: all of it
+        out += "<th title=\"" + escaped(key) + "\">" + escaped(name) + "</th>";
     }
     out +=
         "<th>points</th><th>convention</th><th>rates<br><span class=\"unit\">1/s</span></th>"
         "<th>largest deviation<br><span class=\"unit\">from the flow law</span></th>"
-        "<th>at<br><span class=\"unit\">1/s</span></th><th>numerical error<br><span class=\"unit\">"
-        "largest, estimated</span></th><th>time</th><th>warnings</th></tr></thead><tbody>\n";
+        "<th>numerical error<br><span class=\"unit\">largest, estimated</span></th><th>time</th>";
+    out += any_warnings ? "<th>warnings</th></tr></thead><tbody>\n" : "</tr></thead><tbody>\n";
     for (const OverlayRun& run : input.runs) {
+        const auto cell = [&](const std::string& html) { out += "<td>" + html + "</td>"; };
         const std::string name = escaped(run.name);
         out += "<tr><td class=\"words\">";
         out += run.link.empty() ? name : "<a href=\"" + escaped(run.link) + "\">" + name + "</a>";
         out += "</td>";
         for (std::size_t k = 0; k < input.swept_keys.size(); ++k) {
-            out += "<td>" + (k < run.swept_values.size() ? escaped(run.swept_values[k]) : "") +
-                   "</td>";
+            cell(k < run.swept_values.size() ? escaped(run.swept_values[k]) : "");
         }
         const RateRange range = rate_range(run.rheogram);
         const Deviation deviation = largest_deviation(run.rheogram, run.fluid.true_stress);
-        out += "<td>" + std::to_string(run.rheogram.points.size()) + "</td><td>" +
-               std::string{name_of(run.conversion.definition)} + "</td><td>" +
-               significant(range.lowest, 4) + " \u2013 " + significant(range.highest, 4) +
-               "</td><td>" + relative_text(deviation.largest, 3) + "</td><td>" +
-               (std::isfinite(deviation.largest) ? significant(deviation.at_rate, 4) : "") +
-               "</td><td>" + relative_text(largest_relative_error(run.rheogram), 2) + "</td><td>" +
-               (run.wall_seconds > 0.0 ? quantity_text(run.wall_seconds, "s", 3) : "") +
-               "</td><td>" + (run.warnings.empty() ? "" : std::to_string(run.warnings.size())) +
-               "</td></tr>\n";
+        cell(std::to_string(run.rheogram.points.size()));
+        cell(std::string{name_of(run.conversion.definition)});
+        cell(significant(range.lowest, 4) + " \u2013 " + significant(range.highest, 4));
+        cell(std::isfinite(deviation.largest) ? relative_text(deviation.largest, 3) + " at " +
+                                                    quantity_text(deviation.at_rate, "1/s", 3)
+                                              : "\u2013");
+        cell(relative_text(largest_relative_error(run.rheogram), 2));
+        cell(run.wall_seconds > 0.0 ? quantity_text(run.wall_seconds, "s", 3) : "");
+        if (any_warnings) {
+            cell(std::to_string(run.warnings.size()));
+        }
+        out += "</tr>\n";
     }
     return out + "</tbody></table></div>\n";
 }

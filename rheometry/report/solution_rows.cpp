@@ -1,6 +1,7 @@
 #include "rheometry/report/number_text.hpp"
 #include "rheometry/report/property_rows.hpp"
 #include "rheometry/report/quantity.hpp"
+#include "rheometry/report/rich_text.hpp"
 
 #include <cmath>
 

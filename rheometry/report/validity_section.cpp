@@ -2,6 +2,7 @@
 
 #include "rheometry/report/number_text.hpp"
 #include "rheometry/report/regime_shading.hpp"
+#include "rheometry/report/rich_text.hpp"
 
 #include <map>
 
@@ -68,9 +69,9 @@ std::string validity_section(const ReportInput& input, int table_number) {
     if (!has_validity(input)) {
         return "";
     }
-    std::string out = "<div class=\"table\"><table class=\"properties\"><caption><b>Table " +
-                      std::to_string(table_number) +
-                      ".</b> What was solved, and what was left out and why.";
+    std::string out =
+        "<div class=\"table\"><table class=\"properties validity\"><caption><b>Table " +
+        std::to_string(table_number) + ".</b> What was solved, and what was left out and why.";
     const std::string counts = regime_counts(input.rheogram);
     if (!counts.empty()) {
         out += " Points by regime: " + counts + ".";
