@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -15,6 +17,14 @@ namespace searle::rheometry::report {
 /// The digits of `value` that an error of size `error` leaves: down to the second significant digit
 /// of the error, 3 to 15 digits in all; 10 digits where the error is 0 or unknown.
 [[nodiscard]] std::string rounded_to_error(double value, double error);
+
+/// As many decimals as the numbers of a column need to show seven significant digits of the
+/// largest, so that their points stand below each other; nothing where the column spans too many
+/// decades.
+[[nodiscard]] std::optional<int> common_decimals(std::span<const double> values);
+
+/// A number with a fixed count of decimals.
+[[nodiscard]] std::string with_decimals(double value, int decimals);
 
 /// A relative number as percent, "0.1 %"; below 1e-5 as a number, "1.2 × 10⁻⁸".
 [[nodiscard]] std::string relative_text(double fraction, int digits = 2);

@@ -3,6 +3,7 @@
 #include "rheometry/report/flow_series.hpp"
 #include "rheometry/report/number_text.hpp"
 #include "rheometry/report/page.hpp"
+#include "rheometry/report/prose.hpp"
 #include "rheometry/report/quantity.hpp"
 #include "rheometry/report/report.hpp"
 #include "rheometry/report/rich_text.hpp"
@@ -68,39 +69,55 @@ struct Look {
     Marker marker{};
 };
 
-// Of two swept keys the first chooses the colour and the second the marker, as long as both have
-// few values; otherwise the runs take the colours in turn and each pass through them the next
-// marker.
-Look look_of_run(const OverlayInput& input, std::size_t run) {
+// The runs by the values of one swept key: which group each belongs to, and its place therein.
+struct Grouping {
+    std::vector<std::size_t> group;
+    std::vector<std::size_t> place;
+    std::vector<std::size_t> sizes;
+};
+Grouping group_by(const OverlayInput& input, std::size_t key) {
+    Grouping out;
+    std::vector<std::string> values;
+    for (const OverlayRun& run : input.runs) {
+        const std::string value = key < run.swept_values.size() ? run.swept_values[key] : "";
+        const auto found = std::find(values.begin(), values.end(), value);
+        const auto group = static_cast<std::size_t>(found - values.begin());
+        if (found == values.end()) {
+            values.push_back(value);
+            out.sizes.push_back(0);
+        }
+        out.group.push_back(group);
+        out.place.push_back(out.sizes[group]++);
+    }
+    return out;
+}
+
+// Runs that share the value of a swept key share a colour and differ by their markers, if there is
+// a key that groups them so that colours and markers suffice; otherwise the runs take the colours
+// in turn, and each pass through them the next marker.
+std::vector<Look> looks_of(const OverlayInput& input) {
     constexpr std::array markers{Marker::circle, Marker::square, Marker::triangle, Marker::diamond};
     constexpr std::size_t colours = series_colour_count - 1; // black is the law's
-    const auto rank_of_value = [&](std::size_t key) {
-        std::vector<std::string> values;
-        std::size_t rank = 0;
-        for (std::size_t k = 0; k < input.runs.size(); ++k) {
-            const std::string& value = input.runs[k].swept_values.at(key);
-            const auto found = std::find(values.begin(), values.end(), value);
-            if (k == run) {
-                rank = static_cast<std::size_t>(found - values.begin());
-            }
-            if (found == values.end()) {
-                values.push_back(value);
-            }
+    std::vector<Look> looks;
+    for (std::size_t key = 0; key < input.swept_keys.size() && looks.empty(); ++key) {
+        const Grouping groups = group_by(input, key);
+        const bool groups_at_all =
+            groups.sizes.size() > 1 && groups.sizes.size() < input.runs.size();
+        const bool suffices = groups.sizes.size() <= colours &&
+                              std::all_of(groups.sizes.begin(), groups.sizes.end(),
+                                          [&](std::size_t size) { return size <= markers.size(); });
+        if (!groups_at_all || !suffices) {
+            continue;
         }
-        return std::pair{rank, values.size()};
-    };
-    const bool two_keys = input.swept_keys.size() == 2 &&
-                          std::all_of(input.runs.begin(), input.runs.end(), [](const auto& each) {
-                              return each.swept_values.size() == 2;
-                          });
-    if (two_keys) {
-        const auto [first, firsts] = rank_of_value(0);
-        const auto [second, seconds] = rank_of_value(1);
-        if (firsts <= colours && seconds <= markers.size()) {
-            return {static_cast<int>(first), markers[second]};
+        for (std::size_t run = 0; run < input.runs.size(); ++run) {
+            looks.push_back({static_cast<int>(groups.group[run]), markers[groups.place[run]]});
         }
     }
-    return {static_cast<int>(run % colours), markers[(run / colours) % markers.size()]};
+    for (std::size_t run = looks.size(); run < input.runs.size(); ++run) {
+        looks.push_back(
+            {static_cast<int>(run % colours), markers[(run / colours) % markers.size()]});
+    }
+    return looks;
 }
 
 void add_runs(Plot& plot, const OverlayInput& input, const CurveView& view) {
@@ -125,16 +142,16 @@ void add_runs(Plot& plot, const OverlayInput& input, const CurveView& view) {
     for (const MeasuredSeries& measured : input.measured) {
         plot.series.push_back(measured_series(measured, view, index++));
     }
+    const std::vector<Look> looks = looks_of(input);
     for (std::size_t k = 0; k < input.runs.size(); ++k) {
         const OverlayRun& run = input.runs[k];
         Series curve;
         curve.name = RichText{run.name};
-        const Look look = look_of_run(input, k);
-        curve.colour = look.colour;
+        curve.colour = looks[k].colour;
         curve.stroke = Stroke::solid;
         curve.thin = true;
         if (input.runs.size() <= most_marked_runs) {
-            curve.marker = look.marker;
+            curve.marker = looks[k].marker;
         }
         for (const RheogramPoint& point : run.rheogram.points) {
             curve.x.push_back(value_of(point, view.x) * view.x_unit.per_si);
@@ -167,6 +184,10 @@ Figure overlay_figure(const OverlayInput& input, Quantity y, const std::string& 
         plot.y = y_axis(view, y_scale);
         plot.plot_height = 330.0;
         add_runs(plot, input, view);
+        // One legend serves both panels.
+        for (Series& series : plot.series) {
+            series.name = builder.empty() ? series.name : RichText{};
+        }
         builder.add(std::move(plot));
     };
     add(Scale::linear, Scale::linear, "-linear");
@@ -223,32 +244,52 @@ std::string run_table(const OverlayInput& input) {
     return out + "</tbody></table></div>\n";
 }
 
-std::vector<std::string> all_warnings(const OverlayInput& input) {
-    std::vector<std::string> warnings = input.warnings;
+std::string warnings_of_runs(const OverlayInput& input) {
+    std::string list;
+    std::size_t count = 0;
     for (const OverlayRun& run : input.runs) {
+        if (run.warnings.empty()) {
+            continue;
+        }
+        list += "<dt>" + escaped(run.name) + "</dt>";
         for (const std::string& warning : run.warnings) {
-            warnings.push_back(run.name + ": " + warning);
+            list += "<dd>" + prose_html(warning) + "</dd>";
+            ++count;
         }
     }
-    return warnings;
+    if (count == 0) {
+        return "";
+    }
+    return "<details class=\"notes\"><summary>Warnings of the runs (" + std::to_string(count) +
+           ")</summary><dl>" + list + "</dl></details>\n";
+}
+
+std::string lead_of(const OverlayInput& input) {
+    std::string lead =
+        std::to_string(input.runs.size()) + (input.runs.size() == 1 ? " run" : " runs");
+    for (std::size_t k = 0; k < input.swept_keys.size(); ++k) {
+        lead += (k == 0 ? " over <code>" : ", <code>") + escaped(input.swept_keys[k]) + "</code>";
+    }
+    const auto warned = std::count_if(input.runs.begin(), input.runs.end(),
+                                      [](const auto& run) { return !run.warnings.empty(); });
+    if (warned > 0) {
+        lead += "; " + std::to_string(warned) + " with warnings, listed below the table";
+    }
+    return lead + ".";
 }
 
 } // namespace
 
 std::string render_overlay(const OverlayInput& input) {
     const std::string title = input.title.empty() ? "Sweep" : input.title;
-    std::string lead =
-        std::to_string(input.runs.size()) + (input.runs.size() == 1 ? " run" : " runs");
-    for (std::size_t k = 0; k < input.swept_keys.size(); ++k) {
-        lead += (k == 0 ? " over <code>" : ", <code>") + escaped(input.swept_keys[k]) + "</code>";
-    }
-    std::string body = page_header("Virtual rheometer, sweep", title, lead + ".");
-    body += warning_box(all_warnings(input));
+    std::string body = page_header("Virtual rheometer, sweep", title, lead_of(input));
+    body += warning_box(input.warnings);
     body += paragraphs(input.remarks);
     body += "<div class=\"figures\">\n";
     body += figure_html(overlay_figure(input, Quantity::viscosity, "viscosity"), 1);
     body += figure_html(overlay_figure(input, Quantity::shear_stress, "stress"), 2);
     body += "</div>\n<h2>Runs</h2>\n" + run_table(input);
+    body += warnings_of_runs(input);
     body += page_footer(input.provenance);
     return page(title, body);
 }

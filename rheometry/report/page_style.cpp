@@ -47,6 +47,7 @@ sup,sub{font-size:.72em;line-height:0}
 .yes{color:var(--good);font-weight:600;white-space:nowrap}.no{color:var(--soft);white-space:nowrap}
 .columns figure{margin-bottom:20px}
 .columns{display:grid;grid-template-columns:repeat(2,minmax(0,1fr));gap:0 30px;align-items:start}
+.notes dt{font-weight:600;font-size:14px;margin-top:8px}.notes dd{margin:0 0 0 1.2em;font-size:14px}
 details{margin:0 0 12px}
 summary{cursor:pointer;font-size:14px;padding:6px 0}
 .scroll{max-height:70vh;overflow:auto;border-bottom:1.5px solid var(--ink)}

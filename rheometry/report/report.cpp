@@ -76,7 +76,7 @@ std::vector<MainResult> results_of(const ReportInput& input) {
     results.push_back({"Apparent viscosity <i>\u03b7</i>",
                        range_text(input.rheogram, Quantity::viscosity, rotates),
                        std::isfinite(deviation.largest)
-                           ? "up to " + relative_text(deviation.largest, 2) + " off the flow law"
+                           ? "up to " + relative_text(deviation.largest, 3) + " off the flow law"
                            : ""});
     const double error = largest_relative_error(input.rheogram);
     if (std::isfinite(error)) {

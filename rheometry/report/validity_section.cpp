@@ -1,6 +1,7 @@
 #include "rheometry/report/validity_section.hpp"
 
 #include "rheometry/report/number_text.hpp"
+#include "rheometry/report/prose.hpp"
 #include "rheometry/report/regime_shading.hpp"
 #include "rheometry/report/rich_text.hpp"
 
@@ -37,7 +38,7 @@ std::string vortex_text(const VortexOnset& onset) {
     }
     out += ". ";
     if (!onset.basis.empty()) {
-        out += escaped(sentence(onset.basis)) + " ";
+        out += prose_html(sentence(onset.basis)) + " ";
     }
     return out + "Re = <i>R</i><sub>bob</sub> <i>\u03c9 d</i>/<i>\u03bd</i>.";
 }
@@ -79,7 +80,7 @@ std::string validity_section(const ReportInput& input, int table_number) {
     out += "</caption><tbody>\n";
     for (const ValidityNote& note : input.validity) {
         out += row(note.what, note.solved ? "\u2713\u00a0solved" : "\u25cb\u00a0left out",
-                   note.solved, escaped(sentence(note.reason)));
+                   note.solved, prose_html(sentence(note.reason)));
     }
     if (input.vortex_onset) {
         out += row("Onset of Taylor vortices", "", false, vortex_text(*input.vortex_onset));

@@ -1,6 +1,8 @@
 #include "markup_check.hpp"
 #include "rheometry/report/number_text.hpp"
+#include "rheometry/report/prose.hpp"
 #include "rheometry/report/rich_text.hpp"
+#include "rheometry/report/svg_path.hpp"
 
 #include <gtest/gtest.h>
 
@@ -78,6 +80,39 @@ TEST(report_text, units_take_the_prefix_that_suits) {
     EXPECT_EQ(quantity_text(0.5, "Pa.s^n"), "0.5\u00a0Pa\u00a0s\u207f");
     EXPECT_EQ(quantity_text(998.2, "kg/m^3"), "998.2\u00a0kg/m\u00b3");
     EXPECT_EQ(quantity_text(0.5, "1"), "0.5");
+}
+
+TEST(report_text, a_column_shares_its_decimals_unless_it_spans_many_decades) {
+    EXPECT_EQ(common_decimals(std::vector{0.35, 0.7, 7.0}), 2);
+    EXPECT_EQ(common_decimals(std::vector{1.0, 2.0, 100.0}), 0);
+    EXPECT_EQ(common_decimals(std::vector{0.0644444444, 6.4444444444}),
+              6); // 7 digits of the largest
+    EXPECT_EQ(common_decimals(std::vector{0.01, 1000.0}), std::nullopt);
+    EXPECT_EQ(with_decimals(7.0, 2), "7.00");
+    EXPECT_EQ(with_decimals(-0.001, 2), "0.00");
+    EXPECT_EQ(with_decimals(-1.5, 1), "\u22121.5");
+}
+
+TEST(report_text, prose_sets_symbols_and_leaves_names_of_keys) {
+    EXPECT_EQ(
+        prose_html("Re / Re_c with c_L = 1, tau_0 = 5 Pa"),
+        "Re / Re<sub>c</sub> with <i>c</i><sub>L</sub> = 1, <i>\u03c4</i><sub>0</sub> = 5 Pa");
+    EXPECT_EQ(prose_html("eta^(3/4) and 10^-3, R^2"),
+              "<i>\u03b7</i><sup>3/4</sup> and 10<sup>-3</sup>, R<sup>2</sup>");
+    EXPECT_EQ(prose_html("end_factor, geometry.cup_radius, beta, fluid.eta, a ^ b^"),
+              "end_factor, geometry.cup_radius, beta, fluid.eta, a ^ b^");
+    EXPECT_EQ(prose_html("<b> & R_<i>"), "&lt;b&gt; &amp; R_&lt;i&gt;");
+    EXPECT_EQ(prose_html("^(<b>)"), "<sup>&lt;b&gt;</sup>");
+    EXPECT_EQ(prose_html("\u03b7 \u00b0C \xff"), "\u03b7 \u00b0C \uFFFD");
+}
+
+TEST(report_text, lengths_in_drawings_are_always_plain_numbers) {
+    EXPECT_EQ(pixels(12.345), "12.35");
+    EXPECT_EQ(pixels(-0.001), "0");
+    EXPECT_EQ(pixels(-3.5), "-3.5");
+    EXPECT_EQ(pixels(std::numeric_limits<double>::quiet_NaN()), "0");
+    EXPECT_EQ(pixels(std::numeric_limits<double>::infinity()), "0");
+    EXPECT_EQ(pixels(1e300), "1000000");
 }
 
 } // namespace
