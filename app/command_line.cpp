@@ -36,6 +36,7 @@ public:
         program_.set_help_flag("-h,--help", "Print this text");
         program_.require_subcommand(1);
         program_.get_formatter()->column_width(34);
+        program_.get_formatter()->label("SUBCOMMAND", "VERB");
         program_.footer("Example: searle run cases/single-gap-water.toml\n"
                         "`searle VERB --help` tells more about a verb.\n"
                         "Exit codes: 0 done, 1 fault, 2 wrong usage or case file, 3 accuracy not "
@@ -74,6 +75,7 @@ private:
     CLI::App* add(const char* name, const char* purpose, const char* example,
                   std::shared_ptr<Options> options, int (*verb)(const Options&)) {
         CLI::App* app = program_.add_subcommand(name, purpose);
+        app->group("Verbs");
         app->footer(fmt::format("Example: searle {} {}", name, example));
         app->callback([this, options, verb] { chosen_ = [=] { return verb(*options); }; });
         return app;
@@ -165,12 +167,13 @@ private:
     void add_doctor() {
         CLI::App* app = program_.add_subcommand(
             "doctor", "Say which engines and libraries are there, and what is missing");
+        app->group("Verbs");
         app->footer("Example: searle doctor");
         app->callback([this] { chosen_ = doctor; });
     }
     void add_later(const char* name, const char* purpose) {
-        CLI::App* app = program_.add_subcommand(
-            name, fmt::format("{} (not in version {})", purpose, program_version()));
+        CLI::App* app = program_.add_subcommand(name, purpose);
+        app->group(fmt::format("Not in version {}", program_version()));
         app->footer(fmt::format("This version of Searle does not have `{}`.", name));
         app->allow_extras();
         app->callback([this, name] {

@@ -76,8 +76,8 @@ std::vector<Stretch> stretches_of(const std::vector<solvers::RowForecast>& rows)
 }
 
 std::string range(double first, double last) {
-    return first == last ? fmt::format("{:.4g}", first)
-                         : fmt::format("{:.4g} to {:.4g}", first, last);
+    return first == last ? fmt::format("{:.3g}", first)
+                         : fmt::format("{:.3g} to {:.3g}", first, last);
 }
 
 std::string share(double value) {
@@ -91,7 +91,7 @@ std::string regime_table(const CasePlan& planned) {
     constexpr std::size_t most_lines = 16;
     const std::vector<solvers::RowForecast>& rows = planned.plan.rows;
     const std::vector<Stretch> stretches = stretches_of(rows);
-    constexpr const char* columns = "  {:<15} {:<20} {:<22} {:>9} {:>9}  {}\n";
+    constexpr const char* columns = "  {:<13} {:<20} {:<18} {:>8} {:>8}  {}\n";
     std::string table =
         fmt::format(columns, "row", "time, s", "shear rate, 1/s", "Re/Re_c", "inertia", "regime");
     for (std::size_t i = 0; i < std::min(most_lines, stretches.size()); ++i) {

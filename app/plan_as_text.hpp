@@ -6,7 +6,7 @@
 
 namespace searle::app {
 
-/// A plan for people, lines of at most 100 characters: what will be solved first, then what is
+/// A plan for people, sentences broken at 100 characters: what will be solved first, then what is
 /// skipped and why, the regimes of the rows, and the warnings.
 [[nodiscard]] std::string plan_as_text(const CasePlan& planned);
 

@@ -59,6 +59,8 @@ ConvertedStep convert_step(const MeasuredStep& step, const geometry::Instrument&
     converted.has_time = !step.time.empty();
     converted.rheogram = make_rheogram(history_of(step), conversion, no_regime);
     converted.at_rotor = rotor_rates(instrument, conversion.end_factor, step.speed, step.torque);
+    if (!step.is_flow_curve)
+        converted.at_rotor.rates = no_rates(step.speed.size());
     converted.stress_difference =
         largest_difference(converted.rheogram, &RheogramPoint::shear_stress, step.exported_stress);
     converted.rate_difference =

@@ -23,7 +23,8 @@ struct ConvertedStep {
 };
 
 /// Lifts a measured series to stresses and rates by the very functions that do it for computed
-/// torques, and corrects the rate at the rotor's wall from the whole series.
+/// torques, and corrects the rate at the rotor's wall from the whole series if that is a flow
+/// curve.
 [[nodiscard]] ConvertedStep convert_step(const MeasuredStep& step,
                                          const geometry::Instrument& instrument,
                                          const Conversion& conversion);

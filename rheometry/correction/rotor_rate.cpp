@@ -4,12 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace searle::rheometry {
 namespace {
-
-constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 struct RatesOf {
     std::span<const double> speeds;
@@ -26,8 +23,7 @@ struct RatesOf {
         const double inner = gap.inner_gap() / gap.radii[0];
         if (std::abs(inner - outer) < 0.05 * outer)
             return wall_rates(speeds, stresses, gap.radius_ratio());
-        return {std::vector<WallRate>(speeds.size(), {not_known, not_known, GapBranch::unknown}),
-                std::nullopt, 0.0};
+        return no_rates(speeds.size());
     }
     WallRates operator()(const geometry::Box& box) const {
         WallRates result;

@@ -2,6 +2,7 @@
 
 #include "rheometry/report/number_text.hpp"
 #include "rheometry/report/regime_shading.hpp"
+#include "rheometry/report/rich_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -93,12 +94,18 @@ Plot deviation_plot(const ReportInput& input, const CurveView& flow_view) {
                "\n\u03b7/\u03b7_law \u2212 1 = " +
                relative_text(deviation_of(point, input.fluid.true_stress).total, 4);
     };
-    Axis rates = x_axis(flow_view, suitable_scale(total.x));
-    if (!has_positive_pair(input.rheogram, Quantity::shear_rate, Quantity::shear_rate)) {
-        rates.scale = Scale::linear;
-    }
-    plot.x = rates;
+    const bool positive =
+        has_positive_pair(input.rheogram, Quantity::shear_rate, Quantity::shear_rate);
+    plot.x = x_axis(flow_view, positive ? Scale::logarithmic : Scale::linear);
     plot.y.scale = suitable_scale(total.y);
+    if (plot.y.scale == Scale::logarithmic) {
+        // A deviation far below the accuracy is noise.
+        const double least = percent * std::max(input.accuracy, 1e-6) * 1e-2;
+        const double lowest = *std::min_element(total.y.begin(), total.y.end());
+        if (lowest < least) {
+            plot.y.low = least;
+        }
+    }
     plot.y.name.italic("\u03b7").upright("/").italic("\u03b7").subscript("law").upright(
         " \u2212 1 (%)");
     plot.zero_line = plot.y.scale == Scale::linear;
@@ -108,13 +115,13 @@ Plot deviation_plot(const ReportInput& input, const CurveView& flow_view) {
         total.thin = true;
         total.shows_direction = true;
     }
+    plot.series.push_back(std::move(total));
     if (largest_inertia > 1e-6 && input.transient) {
         plot.series.push_back(std::move(inertia));
     }
     if (largest_definition > 1e-6) {
         plot.series.push_back(std::move(definition));
     }
-    plot.series.push_back(std::move(total));
     return plot;
 }
 

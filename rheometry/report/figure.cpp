@@ -49,7 +49,8 @@ Figure FigureBuilder::finish(std::string caption) {
         }
         const std::string where = plot.letter.empty() ? "" : " in (" + plot.letter + ")";
         notes += " " + counted(drawn.dropped_points, "point") + " not shown" + where +
-                 (is_logarithmic(plot) ? ": zero, negative or undefined on a logarithmic axis."
+                 (is_logarithmic(plot) ? ": undefined, zero, negative or far below all others on a "
+                                         "logarithmic axis."
                                        : ": undefined.");
     }
     if (thinned > 0) {

@@ -40,8 +40,9 @@ struct Series {
     bool open_marker = false;
     Stroke stroke = Stroke::none;
     bool thin = false;
-    bool shows_direction = false; ///< arrows along the line
-    bool sets_range = true;       ///< false: cut at the axes that the others need
+    bool shows_direction = false;   ///< arrows along the line
+    bool reports_error_bars = true; ///< false: not part of DrawnPlot::longest_error_bar
+    bool sets_range = true;         ///< false: cut at the axes that the others need
 };
 
 /// A stretch of the x axis with a shade.

@@ -1,5 +1,6 @@
 #include "rheometry/report/plot_series.hpp"
 
+#include "rheometry/report/rich_text.hpp"
 #include "rheometry/report/svg_style.hpp"
 #include "rheometry/report/thinning.hpp"
 
@@ -199,6 +200,9 @@ SeriesOutcome draw_series_points(std::string& out, const Series& series, const A
             draw_error_bar(bars, y, series.y[k], series.error[k], places[k].x,
                            outcome.longest_error_bar);
         }
+    }
+    if (!series.reports_error_bars) {
+        outcome.longest_error_bar = 0.0;
     }
     if (!bars.empty()) {
         out += "<path class=\"bar line-" + std::to_string(colour_index(series.colour)) + "\" d=\"" +

@@ -48,7 +48,9 @@ std::string unambiguous(std::string_view unit) {
 
 std::optional<double> si_factor(ColumnQuantity quantity, std::string_view unit) {
     const std::string text = unambiguous(without_brackets(unit));
-    if (text.empty())
+    // UDUNITS prints a control character that it meets to standard output.
+    const auto is_control = [](char byte) { return static_cast<unsigned char>(byte) < 0x20; };
+    if (text.empty() || std::ranges::any_of(text, is_control))
         return std::nullopt;
     const auto found = casefile::unit_named(text);
     const casefile::Unit* const known = std::get_if<casefile::Unit>(&found);

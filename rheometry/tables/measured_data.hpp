@@ -16,6 +16,9 @@ struct MeasuredStep {
     std::vector<double> time;   ///< s, as in the file; may be empty
     std::vector<double> speed;  ///< rad/s (m/s for the box)
     std::vector<double> torque; ///< N m (N for the box)
+    /// Whether the rows are points of a flow curve; a speed that had to be derived from the
+    /// displacement belongs to a start-up at one speed.
+    bool is_flow_curve = true;
     /// What the instrument's own software made of it, where the file says: 1/s and Pa.
     std::vector<double> exported_rate;
     std::vector<double> exported_stress;

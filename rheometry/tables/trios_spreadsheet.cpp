@@ -155,6 +155,7 @@ std::optional<MeasuredStep> read_step(const Sheet& sheet, MeasuredData& data, Ta
     const std::vector<double> angle = reader.column("Displacement", ColumnQuantity::angle);
     if (!angle.empty() && increases(step.time)) {
         step.speed = speed_from(angle, step.time);
+        step.is_flow_curve = false;
         data.remarks.push_back(
             fmt::format("step \"{}\" has no velocity: speed = differences of its displacement over "
                         "its time, as coarse as these are written",
