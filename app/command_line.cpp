@@ -5,6 +5,7 @@
 #include "app/verb_check.hpp"
 #include "app/verb_convert.hpp"
 #include "app/verb_doctor.hpp"
+#include "app/verb_fit.hpp"
 #include "app/verb_new.hpp"
 #include "app/verb_plan.hpp"
 #include "app/verb_report.hpp"
@@ -17,6 +18,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -45,6 +47,7 @@ public:
         add_plan();
         add_check();
         add_convert();
+        add_fit();
         add_report();
         add_new();
         add_schema();
@@ -66,7 +69,6 @@ private:
     /// Verbs whose work this version cannot do.
     static constexpr std::pair<const char*, const char*> later_verbs[] = {
         {"mesh", "Write the mesh by itself"},
-        {"fit", "Fit flow laws to a rheogram"},
         {"compare", "Solve a case on several engines"},
         {"bench", "Run time against error"},
         {"stress", "Numerical stability sweeps"}};
@@ -94,6 +96,24 @@ private:
             ->add_option_function<std::string>(
                 name, [&path](const std::string& text) { path = text; }, meaning)
             ->type_name(type);
+    }
+
+    static CLI::Option* add_paths(CLI::App* app, const char* name,
+                                  std::vector<std::filesystem::path>& paths, const char* meaning) {
+        return app
+            ->add_option_function<std::vector<std::string>>(
+                name,
+                [&paths](const std::vector<std::string>& texts) {
+                    paths.assign(texts.begin(), texts.end());
+                },
+                meaning)
+            ->type_name("FILE");
+    }
+    static void add_repeated(CLI::App* app, const char* name, std::vector<std::string>& words,
+                             const char* meaning, const char* shape) {
+        app->add_option(name, words, fmt::format("{}; may be repeated", meaning))
+            ->type_name(shape)
+            ->allow_extra_args(false);
     }
 
     void add_run() {
@@ -139,6 +159,54 @@ private:
             ->type_name("STEP");
         add_overrides(app, options->overrides);
         app->add_flag("--quiet", options->quiet, "Print no remarks");
+    }
+    void add_fit() {
+        auto options = std::make_shared<FitVerbOptions>();
+        CLI::App* app = add("fit", "Fit flow laws to rheograms, or through the instrument",
+                            "flow-curve.csv --model all -o fit.html", options, fit);
+        add_paths(app, "DATA", options->data_files,
+                  "Rheograms (CSV, exports of lab software, .xls of TRIOS, blocks); with --case "
+                  "torques and speeds")
+            ->required();
+        add_paths(app, "--case", options->case_files,
+                  "Case of the instrument: fit the raw torques through it; once for all files or "
+                  "once per file")
+            ->allow_extra_args(false);
+        add_overrides(app, options->overrides);
+        app->add_option("--model", options->model,
+                        "Law, several with commas, or all; default herschel-bulkley")
+            ->type_name("NAME");
+        app->add_option("--weights", options->weights,
+                        "relative (default), fitted, absolute, log, or a column of standard "
+                        "deviations")
+            ->type_name("HOW");
+        app->add_option("--loss", options->loss, "Robust loss: none (default), huber or cauchy")
+            ->type_name("NAME");
+        app->add_option("--range", options->range, "Only shear rates in this range, 1/s")
+            ->type_name("LOW:HIGH");
+        add_repeated(app, "--bounds", options->bounds, "Bounds of a parameter, SI units",
+                     "NAME=LOW:HIGH");
+        add_repeated(app, "--fix", options->held, "Hold a parameter at a value, SI units",
+                     "NAME=VALUE");
+        app->add_option("--curve", options->curve, "Only curves whose name holds this text")
+            ->type_name("TEXT");
+        app->add_flag("--joint", options->joint, "One set of parameters for all curves");
+        app->add_flag("--slip", options->slip,
+                      "With --case: fit a wall slip too (needs two gaps and --joint)");
+        app->add_flag("--keep-all", options->keep_all,
+                      "Keep points with lag, vortices or end flow");
+        app->add_option("--predict", options->predict,
+                        "Stresses with bands at these rates, 1/s: A,B,... or LOW:HIGH:COUNT")
+            ->type_name("RATES");
+        app->add_option("--design", options->design,
+                        "Suggest so many further points that would shrink the intervals most")
+            ->type_name("COUNT")
+            ->check(CLI::Range(1, 1000));
+        auto* json = app->add_flag("--json", options->json, "Print JSON");
+        app->add_flag("--csv", options->csv, "Print CSV")->excludes(json);
+        add_paths(app, "-o,--output", options->outputs,
+                  "Also write fit.html, fit.json or fit.csv, by the ending; may be repeated")
+            ->allow_extra_args(false);
     }
     void add_report() {
         auto options = std::make_shared<ReportOptions>();

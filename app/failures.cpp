@@ -4,6 +4,7 @@
 #include "app/exit_code.hpp"
 #include "app/result_folder.hpp"
 #include "app/solved_case.hpp"
+#include "app/usage_error.hpp"
 #include "rheometry/tables/table_error.hpp"
 
 #include <fmt/format.h>
@@ -31,6 +32,8 @@ int called(const std::function<int()>& verb) {
         std::fputs(fmt::format("{}\n", error.what()).c_str(), stderr);
         return ExitCode::wrong_usage;
     } catch (const rheometry::TableError& error) {
+        return tell(ExitCode::wrong_usage, error.what());
+    } catch (const UsageError& error) {
         return tell(ExitCode::wrong_usage, error.what());
     } catch (const OutputPlaceError& error) {
         return tell(ExitCode::wrong_usage, error.what());

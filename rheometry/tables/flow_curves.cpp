@@ -136,8 +136,14 @@ std::vector<Section> sections_of(const std::vector<std::string_view>& lines) {
             heading = heading || is_heading(lines[k], delimiter);
         if (heading) {
             Section section{k, k + 1, name};
-            while (section.end_line < lines.size() && !trimmed(lines[section.end_line]).empty())
-                ++section.end_line;
+            // Exports may put an empty line between headings, units and rows.
+            bool in_rows = false;
+            for (; section.end_line < lines.size(); ++section.end_line) {
+                const std::string_view row = trimmed(lines[section.end_line]);
+                if (row.empty() && in_rows)
+                    break;
+                in_rows = in_rows || row.find_first_of("0123456789") == 0 || row.starts_with('-');
+            }
             k = section.end_line;
             sections.push_back(std::move(section));
         } else if (!line.empty() && !line.starts_with('#')) {
@@ -181,9 +187,7 @@ FlowCurveFile from_text(const fs::path& file, std::string_view bytes,
         // Empty lines in front keep the line numbers of messages.
         std::string table_text(section.first_line, '\n');
         for (std::size_t k = section.first_line; k < section.end_line; ++k) {
-            std::string_view line = lines[k];
-            // RheoCompass writes "Interval data:" in front of the headings, and nothing below it.
-            table_text += line;
+            table_text += lines[k];
             table_text += '\n';
         }
         const CsvTable table = CsvTable::parse(table_text, file.string());
