@@ -47,6 +47,20 @@ Deviation largest_deviation(const Rheogram& rheogram, const StressOfRate& law) {
     return out;
 }
 
+DeviationParts deviation_parts(const ReportInput& input) {
+    constexpr double visible = 1e-6;
+    DeviationParts parts;
+    if (!input.fluid.true_stress) {
+        return parts;
+    }
+    for (const RheogramPoint& point : input.rheogram.points) {
+        const DeviationPoint deviation = deviation_of(point, input.fluid.true_stress);
+        parts.inertia = parts.inertia || (input.transient && std::abs(deviation.inertia) > visible);
+        parts.convention = parts.convention || std::abs(deviation.definition) > visible;
+    }
+    return parts;
+}
+
 bool deviation_matters(const ReportInput& input) {
     const double largest = largest_deviation(input.rheogram, input.fluid.true_stress).largest;
     return largest > std::max(input.accuracy, 1e-6);
@@ -68,8 +82,6 @@ Plot deviation_plot(const ReportInput& input, const CurveView& flow_view) {
     definition.name = RichText{"part of the convention"};
     definition.colour = 2;
     definition.stroke = Stroke::dotted;
-    double largest_inertia = 0.0;
-    double largest_definition = 0.0;
     for (const RheogramPoint& point : input.rheogram.points) {
         const DeviationPoint deviation = deviation_of(point, input.fluid.true_stress);
         const double rate = point.shear_rate * flow_view.x_unit.per_si;
@@ -81,12 +93,6 @@ Plot deviation_plot(const ReportInput& input, const CurveView& flow_view) {
         inertia.y.push_back(percent * deviation.inertia);
         definition.x.push_back(rate);
         definition.y.push_back(percent * deviation.definition);
-        if (std::isfinite(deviation.inertia)) {
-            largest_inertia = std::max(largest_inertia, std::abs(deviation.inertia));
-        }
-        if (std::isfinite(deviation.definition)) {
-            largest_definition = std::max(largest_definition, std::abs(deviation.definition));
-        }
     }
     total.tip = [&input](std::size_t k) {
         const RheogramPoint& point = input.rheogram.points[k];
@@ -116,10 +122,11 @@ Plot deviation_plot(const ReportInput& input, const CurveView& flow_view) {
         total.shows_direction = true;
     }
     plot.series.push_back(std::move(total));
-    if (largest_inertia > 1e-6 && input.transient) {
+    const DeviationParts parts = deviation_parts(input);
+    if (parts.inertia) {
         plot.series.push_back(std::move(inertia));
     }
-    if (largest_definition > 1e-6) {
+    if (parts.convention) {
         plot.series.push_back(std::move(definition));
     }
     return plot;

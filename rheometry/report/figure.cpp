@@ -55,7 +55,7 @@ Figure FigureBuilder::finish(std::string caption) {
     }
     if (thinned > 0) {
         notes += " For legibility " + counted(thinned, "marker") +
-                 " that would lie upon others are left out; lines go through all points.";
+                 " that would lie upon others are left out; the data file has all points.";
     }
     figure.caption = std::move(caption) + notes;
     return figure;

@@ -175,12 +175,16 @@ Figure viscosity_figure(const ReportInput& input) {
                   " (b) Deviation of the apparent viscosity from the flow law; largest " +
                   relative_text(deviation.largest, 3) + " at " + std::string{rate_symbol} + " = " +
                   quantity_text(deviation.at_rate, "1/s", 4) + ".";
-        caption += input.transient
-                       ? " It has two parts: the inertia of the fluid, <i>\u03c4</i>/<i>\u03c4</i>"
-                         "<sub>steady</sub> \u2212 1, and the convention, which reads one rate and "
-                         "one stress from a gap that has many."
-                       : " The flow is steady, so it comes from the convention, which reads one "
-                         "rate and one stress from a gap that has many.";
+        const DeviationParts parts = deviation_parts(input);
+        const std::string inertia =
+            "the inertia of the fluid, <i>\u03c4</i>/<i>\u03c4</i><sub>steady</sub> \u2212 1";
+        const std::string convention =
+            "the convention, which reads one rate and one stress from a gap that has many";
+        if (parts.inertia && parts.convention) {
+            caption += " It has two parts: " + inertia + ", and " + convention + ".";
+        } else if (parts.inertia || parts.convention) {
+            caption += " It comes from " + (parts.inertia ? inertia : convention) + ".";
+        }
     }
     return builder.finish(std::move(caption));
 }

@@ -22,8 +22,12 @@ namespace searle::rheometry::report {
 
 namespace {
 
-// Beyond this many runs markers only hide each other; lines stay.
+// Beyond this many runs markers only hide each other, and beyond that many no reader compares names
+// with a legend; lines and their tips stay.
 constexpr std::size_t most_marked_runs = 12;
+constexpr std::size_t most_named_runs = 24;
+// Points of all lines of one panel together, so that the page stays small.
+constexpr std::size_t line_points_of_panel = 20'000;
 
 double largest_of_runs(const OverlayInput& input, Quantity quantity) {
     double largest = 0.0;
@@ -146,12 +150,18 @@ void add_runs(Plot& plot, const OverlayInput& input, const CurveView& view) {
     for (std::size_t k = 0; k < input.runs.size(); ++k) {
         const OverlayRun& run = input.runs[k];
         Series curve;
-        curve.name = RichText{run.name};
+        if (input.runs.size() <= most_named_runs) {
+            curve.name = RichText{run.name};
+        }
+        curve.line_tip = run.name;
+        curve.most_line_points =
+            std::clamp<std::size_t>(line_points_of_panel / input.runs.size(), 50, 1500);
         curve.colour = looks[k].colour;
         curve.stroke = Stroke::solid;
         curve.thin = true;
         if (input.runs.size() <= most_marked_runs) {
             curve.marker = looks[k].marker;
+            curve.marker_spacing = 11.0;
         }
         for (const RheogramPoint& point : run.rheogram.points) {
             curve.x.push_back(value_of(point, view.x) * view.x_unit.per_si);
@@ -198,6 +208,9 @@ Figure overlay_figure(const OverlayInput& input, Quantity y, const std::string& 
     std::string caption =
         look_of(y, true).name + " " + symbol + " over shear rate <i>\u03b3\u0307</i> of all runs";
     caption += positive ? ", on linear (a) and logarithmic (b) axes." : ".";
+    if (input.runs.size() > most_named_runs) {
+        caption += " A run is named when one points at its line.";
+    }
     caption += " Dashed: the flow law. Bars: the solver\u2019s estimate of its numerical error.";
     return builder.finish(std::move(caption));
 }

@@ -57,6 +57,7 @@ summary{cursor:pointer;font-size:14px;padding:6px 0}
 .data thead th{position:sticky;top:0;background:var(--band);z-index:1;box-shadow:inset 0 -1px var(--ink)}
 .data .unit{font-weight:400;color:var(--soft)}
 .data .words{text-align:left}
+.runs th,.runs td{padding:3px 7px}
 .runs thead th{white-space:normal;vertical-align:bottom}
 .data tbody tr:nth-child(even){background:var(--band)}
 .button{display:inline-block;padding:5px 12px;border:1px solid var(--rule);border-radius:4px;font-size:14px;text-decoration:none}

@@ -1,5 +1,7 @@
 #include "rheometry/converted_step.hpp"
+#include "rheometry/tables/csv_table.hpp"
 #include "rheometry/tables/measured_data.hpp"
+#include "rheometry/tables/number_columns.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -142,6 +144,31 @@ TEST(csv_measured, converted_table_has_the_documented_columns) {
     EXPECT_TRUE(table.find(",nan,nan,unknown,\"Flow, \"\"first\"\"\",iso-3219,1.1") !=
                 std::string::npos)
         << table;
+}
+
+// The example holds the stress and the rate that the instrument's own software wrote, to 6 digits.
+TEST(csv_measured, the_measured_example_converts_to_the_instruments_own_columns) {
+    const std::filesystem::path file =
+        std::filesystem::path(SEARLE_SOURCE_DIR) / "cases" / "measured-surfactant.csv";
+    const MeasuredData data = read_measured_data(file, DriveMotion::turning);
+    const CsvTable table = CsvTable::read(file);
+    NumberColumns numbers(table);
+    MeasuredStep step = data.steps.at(0);
+    step.exported_stress =
+        numbers.read(table.find("Stress [Pa]").value(), MissingValues::forbidden);
+    step.exported_rate =
+        numbers.read(table.find("Shear rate [1/s]").value(), MissingValues::forbidden);
+    ASSERT_EQ(step.torque.size(), 41U);
+    const geometry::DinBob bob{.bob_radius = 0.014, .cup_radius = 0.0152};
+    const ConvertedStep converted = convert_step(step, bob, conversion_for(bob, {}));
+    EXPECT_LT(converted.stress_difference, 1e-5);
+    EXPECT_LT(converted.rate_difference, 1e-5);
+    // At low rates the fluid is Newtonian, where bob rate / ISO rate = 2 delta^2 / (1 + delta^2).
+    const double delta = bob.radius_ratio();
+    const WallRate& slow = converted.at_rotor.rates.rows[30];
+    const double ratio = slow.rate / converted.rheogram.points[30].shear_rate;
+    EXPECT_NEAR(ratio, 2.0 * delta * delta / (1.0 + delta * delta), 1e-3);
+    EXPECT_EQ(slow.branch, GapBranch::sheared);
 }
 
 } // namespace

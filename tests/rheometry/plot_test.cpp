@@ -142,14 +142,14 @@ TEST(plot, a_file_carries_its_style_and_its_namespace) {
     EXPECT_NE(file.find("<style>"), std::string::npos);
 }
 
-TEST(thinning, all_points_stay_below_the_limit_and_about_the_limit_stays_above) {
+TEST(thinning, all_points_stay_below_the_limit_and_no_more_than_the_limit_stays_above) {
     std::vector<Pixel> points;
     for (int k = 0; k < 5000; ++k) {
         points.push_back({0.1 * k, 100.0 * std::sin(0.01 * k)});
     }
     EXPECT_EQ(thinned_by_distance(points, 5000).size(), 5000u);
     const std::vector<std::size_t> kept = thinned_by_distance(points, 300);
-    EXPECT_LE(kept.size(), 301u);
+    EXPECT_LE(kept.size(), 300u);
     EXPECT_GE(kept.size(), 150u);
     EXPECT_EQ(kept.front(), 0u);
     EXPECT_EQ(kept.back(), 4999u);
@@ -162,7 +162,18 @@ TEST(thinning, scattered_points_still_obey_the_limit) {
     for (Pixel& point : points) {
         point = {place(random), place(random)};
     }
-    EXPECT_LE(thinned_by_distance(points, 400).size(), 401u);
+    EXPECT_LE(thinned_by_distance(points, 400).size(), 400u);
+}
+
+TEST(thinning, spaced_points_keep_their_distance_and_both_ends) {
+    std::vector<Pixel> points;
+    for (int k = 0; k <= 100; ++k) {
+        points.push_back({0.5 * k, 0.0});
+    }
+    points.push_back({nan, 0.0});
+    const std::vector<std::size_t> kept = spaced_by(points, 11.0);
+    EXPECT_EQ(kept, (std::vector<std::size_t>{0, 22, 44, 66, 88, 100}));
+    EXPECT_TRUE(spaced_by({}, 1.0).empty());
 }
 
 TEST(thinning, rows_are_thinned_evenly_with_both_ends) {
