@@ -163,7 +163,7 @@ private:
     void add_fit() {
         auto options = std::make_shared<FitVerbOptions>();
         CLI::App* app = add("fit", "Fit flow laws to rheograms, or through the instrument",
-                            "flow-curve.csv --model all -o fit.html", options, fit);
+                            "flow-curve.csv --model all -o fit.html", options, fit_laws);
         add_paths(app, "DATA", options->data_files,
                   "Rheograms (CSV, exports of lab software, .xls of TRIOS, blocks); with --case "
                   "torques and speeds")

@@ -53,7 +53,7 @@ void check_outputs(const FitVerbOptions& options) {
 
 } // namespace
 
-int fit(const FitVerbOptions& options) {
+int fit_laws(const FitVerbOptions& options) {
     check_outputs(options);
     const bool several_laws = laws_of(options.model).size() > 1;
     const std::vector<CurveRecord> curves =

@@ -34,6 +34,6 @@ struct FitVerbOptions {
 /// `searle fit`: flow laws to rheograms, or through the instrument to torques. Tables, JSON or CSV
 /// to stdout, remarks to stderr. Returns the exit code. Throws rheometry::TableError, CaseError,
 /// OutputPlaceError, OutputWriteError and UsageError.
-[[nodiscard]] int fit(const FitVerbOptions& options);
+[[nodiscard]] int fit_laws(const FitVerbOptions& options);
 
 } // namespace searle::app

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t most_profiled_points = 20000;
 /// Relative residuals below this are rounding: there is no scatter to make intervals of.
 constexpr double rounding = 1e-13;
-constexpr SearchEffort first_look{.most_iterations = 30, .relative_decrease = 1e-5};
+constexpr SearchEffort first_look{.most_iterations = 20, .relative_decrease = 1e-4};
 
 Minimum best_minimum(const LeastSquaresProblem& problem,
                      const std::vector<std::vector<double>>& starts) {
@@ -40,6 +40,9 @@ Minimum best_minimum(const LeastSquaresProblem& problem,
     }
     if (std::isfinite(best.sum_of_squares))
         best = minimise(problem, best.parameters);
+    // A valley without a bottom: the last digits are left undecided.
+    if (std::isfinite(best.sum_of_squares) && !best.converged)
+        best = minimise(problem, best.parameters, {.relative_decrease = 1e-9});
     return best;
 }
 

@@ -10,6 +10,7 @@
 #include <ceres/solver.h>
 
 #include <Eigen/Dense>
+#include <glog/logging.h>
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic pop
 #endif
@@ -103,6 +104,10 @@ Minimum minimise(const LeastSquaresProblem& problem, std::span<const double> sta
     options.function_tolerance = effort.relative_decrease;
     options.gradient_tolerance = 1e-18;
     options.parameter_tolerance = 1e-13;
+    // A step to where the law has no value is turned back, not an end.
+    options.max_num_consecutive_invalid_steps = 40;
+    // Ceres would report on standard error; all that matters is in the summary.
+    FLAGS_minloglevel = google::GLOG_FATAL;
     ceres::Solver::Summary summary;
     ceres::Solve(options, &search, &summary);
 

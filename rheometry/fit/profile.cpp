@@ -7,12 +7,12 @@
 namespace searle::rheometry::fit {
 namespace {
 
-constexpr double relative_tolerance = 2e-3; ///< of the distance to the optimum
+constexpr double relative_tolerance = 5e-3; ///< of the distance to the optimum
 /// A lower sum of squares than this much below the minimum is a better optimum, not rounding.
-constexpr double better_by = 1e-7;
+constexpr double better_by = 1e-6;
 /// The rise counts to a few parts in 1000, and a neighbour's optimum is a good start; where the
 /// other parameters hardly matter, a search to the last digit would crawl for ever.
-constexpr SearchEffort effort{.most_iterations = 30, .relative_decrease = 1e-7};
+constexpr SearchEffort effort{.most_iterations = 25, .relative_decrease = 1e-6};
 
 /// One point of the profile: parameter held, all others at their best.
 struct ProfilePoint {
@@ -55,7 +55,10 @@ public:
                 return {bound, false, outside.parameters};
             const double growth = quantile / std::max(outside.distance, 0.2 * quantile);
             inside = outside;
-            step = std::abs(value - optimum) * std::clamp(1.02 * growth, 1.02, 5.0);
+            // Where a few strides do not help, most often nothing does up to the bound.
+            const double most_growth = tries < 2 ? 5.0 : 50.0;
+            step = std::abs(value - optimum) * std::clamp(1.02 * growth, 1.02, most_growth) *
+                   (tries < 2 ? 1.0 : 10.0);
         }
         // Between the last two, the distance being close to linear in the value.
         double inside_miss = inside.distance - quantile;

@@ -125,7 +125,7 @@ std::string parameter_table(const fit::FitResult& result) {
         out += fmt::format(
             "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
             escaped(estimate.parameter.key), significant(estimate.value, 6),
-            estimate.parameter.unit == "1" ? "" : unit_text(estimate.parameter.unit).html(),
+            estimate.parameter.unit == "1" ? "" : escaped(estimate.parameter.unit),
             significant(estimate.standard_error, 3), limit(estimate.low), limit(estimate.high));
     return out + "</tbody></table>\n";
 }
