@@ -66,6 +66,60 @@ double sum_of_squares_at(const LeastSquaresProblem& problem, std::span<const dou
     return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
 }
 
+/// Gauss-Newton steps from where the trust region stopped: the search ends when the sum of squares
+/// stands still, at which half of the parameters' digits may still be open.
+void polish(const LeastSquaresProblem& problem, const std::vector<std::size_t>& searched,
+            Minimum& minimum) {
+    const std::size_t count = minimum.parameters.size();
+    const auto columns = static_cast<Eigen::Index>(searched.size());
+    if (problem.residuals < searched.size())
+        return;
+    std::vector<double> residuals(problem.residuals);
+    std::vector<double> jacobian(problem.residuals * count);
+    double last_step = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < 8; ++round) {
+        if (!problem.evaluate(minimum.parameters, residuals, jacobian))
+            return;
+        Eigen::MatrixXd matrix(static_cast<Eigen::Index>(problem.residuals), columns);
+        for (Eigen::Index row = 0; row < matrix.rows(); ++row)
+            for (Eigen::Index i = 0; i < columns; ++i)
+                matrix(row, i) = jacobian[static_cast<std::size_t>(row) * count +
+                                          searched[static_cast<std::size_t>(i)]];
+        const Eigen::VectorXd scale = matrix.colwise().norm();
+        if (!(scale.minCoeff() > 0.0))
+            return;
+        matrix *= scale.cwiseInverse().asDiagonal();
+        const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(matrix);
+        if (std::abs(factors.matrixR()(columns - 1, columns - 1)) < 1e-9)
+            return;
+        const Eigen::VectorXd step =
+            scale.cwiseInverse().asDiagonal() *
+            factors.solve(
+                Eigen::Map<const Eigen::VectorXd>(residuals.data(), matrix.rows()));
+        std::vector<double> next = minimum.parameters;
+        double largest = 0.0;
+        for (std::size_t i = 0; i < searched.size(); ++i) {
+            const double change = step(static_cast<Eigen::Index>(i));
+            double& value = next[searched[i]];
+            largest = std::max(largest, std::abs(change) / std::max(std::abs(value), 1e-300));
+            value -= change;
+            if (value < problem.low[searched[i]] || value > problem.high[searched[i]])
+                return;
+        }
+        // Only small steps that get smaller: anything else is not the end of a search.
+        if (!(largest < 1e-3 && largest < last_step))
+            return;
+        const double sum = sum_of_squares_at(problem, next);
+        if (!(sum <= minimum.sum_of_squares * (1.0 + 1e-12)))
+            return;
+        minimum.parameters = std::move(next);
+        minimum.sum_of_squares = std::min(sum, minimum.sum_of_squares);
+        last_step = largest;
+        if (largest < 1e-15)
+            return;
+    }
+}
+
 } // namespace
 
 Minimum minimise(const LeastSquaresProblem& problem, std::span<const double> start,
@@ -122,6 +176,8 @@ Minimum minimise(const LeastSquaresProblem& problem, std::span<const double> sta
     }
     minimum.converged = summary.termination_type == ceres::CONVERGENCE;
     minimum.iterations = static_cast<int>(summary.iterations.size());
+    if (effort.relative_decrease <= 1e-12)
+        polish(problem, searched, minimum);
     return minimum;
 }
 

@@ -23,7 +23,7 @@ void bound(Parameter& parameter, const DataScale& scale) {
     if (key == "yield_stress") {
         // Casson's derivative by the root of the yield stress has no value at 0 itself.
         const bool rooted = parameter.transform == Transform::square_root;
-        physical(rooted ? 1e-18 * scale.highest_stress : 0.0, 2.0 * scale.highest_stress);
+        physical(rooted ? 1e-28 * scale.highest_stress : 0.0, 2.0 * scale.highest_stress);
     } else if (key == "extrapolated_stress") {
         physical(0.0, 10.0 * scale.highest_stress);
     } else if (key == "viscosity" || key == "plastic_viscosity") {
