@@ -10,7 +10,8 @@ namespace searle::rheometry::fit {
 namespace {
 
 /// Why a point says nothing about a flow law; empty: it does.
-std::string reason_to_leave_out(const MeasuredPoint& point, const Selection& selection) {
+std::string reason_to_leave_out(const MeasuredPoint& point, const Selection& selection,
+                                bool keep_disturbed) {
     if (!std::isfinite(point.rate))
         return "the shear rate is missing";
     if (!std::isfinite(point.stress))
@@ -24,7 +25,7 @@ std::string reason_to_leave_out(const MeasuredPoint& point, const Selection& sel
     const double rate = std::abs(point.rate);
     if (selection.rates && (rate < selection.rates->low || rate > selection.rates->high))
         return "outside the range of shear rates asked for";
-    if (!selection.keep_disturbed)
+    if (!keep_disturbed)
         for (const std::string_view regime : {"lag", "taylor-vortices", "end-flow"})
             if (("+" + point.regime + "+").find(fmt::format("+{}+", regime)) != std::string::npos)
                 return fmt::format("regime {}: the torque is not that of the flow law alone",
@@ -68,9 +69,11 @@ void add_remarks(FlowData& data) {
                                "sensor at its limit shows this too");
 }
 
-} // namespace
+/// With fewer points than this in the regimes that a conversion is made for, all are kept.
+constexpr std::size_t fewest_undisturbed = 5;
 
-FlowData select_points(std::span<const MeasuredPoint> points, const Selection& selection) {
+FlowData selected(std::span<const MeasuredPoint> points, const Selection& selection,
+                  bool keep_disturbed) {
     FlowData data;
     std::vector<std::size_t> order;
     const bool has_deviations =
@@ -78,7 +81,7 @@ FlowData select_points(std::span<const MeasuredPoint> points, const Selection& s
             return std::isfinite(point.deviation) && point.deviation > 0.0;
         });
     for (std::size_t k = 0; k < points.size(); ++k) {
-        std::string reason = reason_to_leave_out(points[k], selection);
+        std::string reason = reason_to_leave_out(points[k], selection, keep_disturbed);
         if (reason.empty() && has_deviations && !(points[k].deviation > 0.0))
             reason = "the standard deviation is missing or not above 0";
         if (reason.empty())
@@ -100,4 +103,21 @@ FlowData select_points(std::span<const MeasuredPoint> points, const Selection& s
     return data;
 }
 
+} // namespace
+
+FlowData select_points(std::span<const MeasuredPoint> points, const Selection& selection) {
+    FlowData data = selected(points, selection, selection.keep_disturbed);
+    if (selection.keep_disturbed || data.size() >= fewest_undisturbed)
+        return data;
+    FlowData all = selected(points, selection, true);
+    if (all.size() == data.size())
+        return data;
+    all.remarks.push_back(fmt::format(
+        "{} of {} points carry lag, vortices or end flow; they are kept, since only {} others are "
+        "there, and pull the parameters",
+        all.size() - data.size(), all.size(), data.size()));
+    return all;
+}
+
 } // namespace searle::rheometry::fit
+

@@ -45,7 +45,8 @@ struct Selection {
 
 /// Sorts the points by rate and leaves out, each with its reason: missing numbers, rates of 0,
 /// stresses of 0 or against the rate, points outside the range, points in the regimes lag,
-/// taylor-vortices and end-flow. A negative rate with a negative stress counts as its mirror image.
+/// taylor-vortices and end-flow (unless fewer than 5 others remain: all are kept then, with a
+/// remark). A negative rate with a negative stress counts as its mirror image.
 [[nodiscard]] FlowData select_points(std::span<const MeasuredPoint> points,
                                      const Selection& selection);
 

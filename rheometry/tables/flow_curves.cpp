@@ -126,6 +126,45 @@ bool is_heading(std::string_view line, char delimiter) {
     return rate && stress && fields >= 2;
 }
 
+std::vector<std::string_view> fields_of(std::string_view line, char delimiter) {
+    std::vector<std::string_view> fields;
+    while (true) {
+        const std::size_t end = line.find(delimiter);
+        fields.push_back(trimmed(line.substr(0, end)));
+        if (end == std::string_view::npos)
+            return fields;
+        line.remove_prefix(end + 1);
+    }
+}
+
+/// Headings with the units of the line below them, where that line is one of units in brackets
+/// (which may hold units that no column of interest has); empty: it is none.
+std::string headings_with_units(std::string_view headings, std::string_view units) {
+    for (const char delimiter : {'\t', ';', ','}) {
+        if (!is_heading(headings, delimiter))
+            continue;
+        const auto names = fields_of(headings, delimiter);
+        const auto below = fields_of(units, delimiter);
+        bool any = false;
+        for (const std::string_view unit : below) {
+            if (!unit.empty() && !(unit.starts_with('[') && unit.ends_with(']')))
+                return "";
+            any = any || !unit.empty();
+        }
+        if (!any || below.size() > names.size())
+            return "";
+        std::string merged;
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            merged += i == 0 ? "" : std::string(1, delimiter);
+            merged += names[i];
+            if (i < below.size() && !below[i].empty())
+                merged += " " + std::string(below[i]);
+        }
+        return merged;
+    }
+    return "";
+}
+
 std::vector<Section> sections_of(const std::vector<std::string_view>& lines) {
     std::vector<Section> sections;
     std::string name;
@@ -178,7 +217,10 @@ FlowCurveFile from_text(const fs::path& file, std::string_view bytes,
         return result;
     }
     const std::vector<Section> sections = sections_of(lines);
-    if (sections.size() <= 1 && (sections.empty() || sections.front().first_line == 0)) {
+    const bool plain = sections.size() <= 1 &&
+                       (sections.empty() || sections.front().first_line == 0) &&
+                       (lines.size() < 2 || headings_with_units(lines[0], lines[1]).empty());
+    if (plain) {
         const CsvTable table = CsvTable::parse(bytes, file.string());
         result.curves.push_back({file.stem().string(), points_of(table, deviation_column)});
         return result;
@@ -186,12 +228,24 @@ FlowCurveFile from_text(const fs::path& file, std::string_view bytes,
     for (const Section& section : sections) {
         // Empty lines in front keep the line numbers of messages.
         std::string table_text(section.first_line, '\n');
+        std::size_t below = section.first_line + 1;
+        while (below < section.end_line && trimmed(lines[below]).empty())
+            ++below;
+        const std::string merged =
+            below < section.end_line
+                ? headings_with_units(lines[section.first_line], lines[below])
+                : std::string();
         for (std::size_t k = section.first_line; k < section.end_line; ++k) {
-            table_text += lines[k];
+            if (merged.empty() || (k != section.first_line && k != below))
+                table_text += lines[k];
+            else if (k == section.first_line)
+                table_text += merged;
             table_text += '\n';
         }
         const CsvTable table = CsvTable::parse(table_text, file.string());
-        std::string name = section.name.empty()
+        std::string name = section.name.empty() && sections.size() == 1
+                               ? file.stem().string()
+                           : section.name.empty()
                                ? fmt::format("{} (line {})", file.stem().string(),
                                              section.first_line + 1)
                                : section.name;

@@ -210,9 +210,10 @@ TEST(FitFlowData, unusable_points_are_left_out_with_their_reasons) {
         {10.0, 5.0, missing, 2, ""},          {0.0, 1.0, missing, 3, ""},
         {20.0, -4.0, missing, 4, ""},         {missing, 4.0, missing, 5, ""},
         {1.0, missing, missing, 6, ""},       {5.0, 3.0, missing, 7, "laminar"},
-        {900.0, 50.0, missing, 8, "lag+taylor-vortices"}, {-2.0, -2.0, missing, 9, ""}};
+        {900.0, 50.0, missing, 8, "lag+taylor-vortices"}, {-2.0, -2.0, missing, 9, ""},
+        {30.0, 8.0, missing, 10, ""},         {40.0, 9.0, missing, 11, "laminar"}};
     const fit::FlowData data = fit::select_points(points, {});
-    EXPECT_EQ(data.rates, (std::vector<double>{2.0, 5.0, 10.0}));
+    EXPECT_EQ(data.rates, (std::vector<double>{2.0, 5.0, 10.0, 30.0, 40.0}));
     ASSERT_EQ(data.excluded.size(), 5U);
     EXPECT_EQ(data.excluded[0].point.line, 3U);
     EXPECT_NE(data.excluded[1].reason.find("sign"), std::string::npos);
