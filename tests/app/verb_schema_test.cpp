@@ -133,14 +133,16 @@ TEST(verb_schema, every_default_is_a_value_that_its_key_takes) {
         const auto* number = std::get_if<double>(&value->is);
         if (!number)
             return;
-        if (key.takes.lower)
+        if (key.takes.lower) {
             EXPECT_TRUE(*number > key.takes.lower->value ||
                         (key.takes.lower->included && *number == key.takes.lower->value))
                 << key.name;
-        if (key.takes.upper)
+        }
+        if (key.takes.upper) {
             EXPECT_TRUE(*number < key.takes.upper->value ||
                         (key.takes.upper->included && *number == key.takes.upper->value))
                 << key.name;
+        }
         ++defaults;
     });
     EXPECT_GT(defaults, 8);
