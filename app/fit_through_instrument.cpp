@@ -102,8 +102,8 @@ std::vector<Series> read_series(const FitVerbOptions& options) {
 /// Rows that can be used, by instrument, and the curve that the conversion makes of them.
 struct Prepared {
     std::vector<through::Measurement> measurements;
-    std::vector<fit::MeasuredPoint> points;
-    std::size_t vortex_rows = 0;
+    std::vector<fit::MeasuredPoint> points; ///< usable ones
+    std::vector<fit::ExcludedPoint> excluded;
 };
 
 void add_series(Prepared& prepared, const Series& series, const fit::Selection& selection) {
@@ -111,23 +111,25 @@ void add_series(Prepared& prepared, const Series& series, const fit::Selection& 
         series.scene.instrument, {series.conversion.end_factor}, {}, {}};
     if (std::holds_alternative<geometry::Box>(series.scene.instrument))
         measurement.end_factors = {1.0};
+    std::vector<fit::MeasuredPoint> points;
     for (std::size_t k = 0; k < series.speeds.size(); ++k) {
         const double speed = std::abs(series.speeds[k]);
         const double torque = std::copysign(1.0, series.speeds[k]) * series.torques[k];
-        fit::MeasuredPoint point{.rate = series.conversion.shear_rate(series.speeds[k]),
-                                 .stress = series.conversion.shear_stress(series.torques[k]),
-                                 .deviation = std::numeric_limits<double>::quiet_NaN(),
-                                 .line = 0,
-                                 .regime = {}};
-        if (speed > 0.0 && torque > 0.0 && taylor_ratio(series, speed, torque) > 1.0) {
-            point.regime = "taylor-vortices";
-            ++prepared.vortex_rows;
-        }
-        prepared.points.push_back(point);
-        if (fit::select_points(std::span(&prepared.points.back(), 1), selection).size() == 1) {
-            measurement.speeds.push_back(speed);
-            measurement.torques.push_back(torque);
-        }
+        const bool vortices =
+            speed > 0.0 && torque > 0.0 && taylor_ratio(series, speed, torque) > 1.0;
+        points.push_back({.rate = series.conversion.shear_rate(series.speeds[k]),
+                          .stress = series.conversion.shear_stress(series.torques[k]),
+                          .deviation = std::numeric_limits<double>::quiet_NaN(),
+                          .line = k + 1,
+                          .regime = vortices ? "taylor-vortices" : ""});
+    }
+    const fit::FlowData usable = fit::select_points(points, selection);
+    prepared.excluded.insert(prepared.excluded.end(), usable.excluded.begin(),
+                             usable.excluded.end());
+    for (const std::size_t line : usable.lines) {
+        prepared.points.push_back(points[line - 1]);
+        measurement.speeds.push_back(std::abs(series.speeds[line - 1]));
+        measurement.torques.push_back(std::abs(series.torques[line - 1]));
     }
     if (!measurement.speeds.empty())
         prepared.measurements.push_back(std::move(measurement));
@@ -138,14 +140,14 @@ CurveRecord fit_prepared(const std::string& name, const Prepared& prepared,
     CurveRecord record;
     record.name = name;
     record.through_instrument = true;
-    record.data = fit::select_points(prepared.points, selection_of(options));
-    if (prepared.vortex_rows > 0 && !options.keep_all)
-        tell(fmt::format("{}: left out {} rows beyond the onset of Taylor vortices", name,
-                         prepared.vortex_rows));
-    if (record.data.excluded.size() > prepared.vortex_rows)
-        tell(fmt::format("{}: left out {} rows; the first: {}", name,
-                         record.data.excluded.size() - prepared.vortex_rows,
-                         record.data.excluded.front().reason));
+    fit::Selection all;
+    all.keep_disturbed = true;
+    record.data = fit::select_points(prepared.points, all);
+    record.data.excluded = prepared.excluded;
+    if (!prepared.excluded.empty())
+        tell(fmt::format("{}: left out {} rows; the first, row {}: {}", name,
+                         prepared.excluded.size(), prepared.excluded.front().point.line,
+                         prepared.excluded.front().reason));
     for (const fit::Model& law : laws_of(options.model)) {
         try {
             through::InstrumentFit done = through::fit_through(

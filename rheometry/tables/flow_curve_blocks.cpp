@@ -69,7 +69,7 @@ std::vector<CurveBlock> read_curve_blocks(std::span<const std::string_view> line
         const std::vector<std::string_view> fields = fields_of(lines[k]);
         if (fields.empty()) {
             inside = false;
-        } else if (is_block_start(fields)) {
+        } else if (!inside && is_block_start(fields)) {
             blocks.push_back({fmt::format("{} {}", fields[0], fields[1]), {}});
             inside = true;
         } else if (!inside || fields.size() != 2) {

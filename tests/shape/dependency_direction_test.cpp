@@ -38,7 +38,11 @@ const std::map<std::string, std::set<std::string>> third_party{
     {"udunits2", {"casefile/unit.cpp"}},
     {"freexl", {"rheometry/tables/spreadsheet.cpp"}},
     {"CLI/", {"app/command_line.cpp"}},
-    {"nlohmann", {"app/plan_as_json.cpp", "app/summary_json.cpp", "app/verb_schema.cpp"}},
+    {"nlohmann",
+     {"app/fit_as_json.cpp", "app/plan_as_json.cpp", "app/summary_json.cpp",
+      "app/verb_schema.cpp"}},
+    {"ceres", {"rheometry/fit/least_squares.cpp", "rheometry/fit/model.cpp"}},
+    {"glog", {"rheometry/fit/least_squares.cpp"}},
 };
 
 struct Include {
