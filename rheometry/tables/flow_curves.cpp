@@ -236,9 +236,10 @@ FlowCurveFile from_text(const fs::path& file, std::string_view bytes,
                 ? headings_with_units(lines[section.first_line], lines[below])
                 : std::string();
         for (std::size_t k = section.first_line; k < section.end_line; ++k) {
-            if (merged.empty() || (k != section.first_line && k != below))
+            const bool blank = trimmed(lines[k]).empty(); // delimiters alone are no row
+            if (!blank && (merged.empty() || (k != section.first_line && k != below)))
                 table_text += lines[k];
-            else if (k == section.first_line)
+            else if (!merged.empty() && k == section.first_line)
                 table_text += merged;
             table_text += '\n';
         }
