@@ -13,9 +13,9 @@ std::string interval(const fit::Estimate& estimate) {
         return "held";
     if (!std::isfinite(estimate.low) && !std::isfinite(estimate.high))
         return "not determined";
-    return fmt::format("{} {:.4g} ... {} {}", estimate.low_open ? "[<=" : "[", estimate.low,
-                       std::isfinite(estimate.high) ? fmt::format("{:.4g}", estimate.high) : "no limit",
-                       "]");
+    return fmt::format(
+        "{} {:.4g} ... {} {}", estimate.low_open ? "[<=" : "[", estimate.low,
+        std::isfinite(estimate.high) ? fmt::format("{:.4g}", estimate.high) : "no limit", "]");
 }
 
 void add_law(std::string& text, const LawRecord& record) {
@@ -33,14 +33,14 @@ void add_law(std::string& text, const LawRecord& record) {
                 ? fmt::format("   conventional: {:.6g}", record.conventional[i].value)
                 : "");
     }
-    text += fmt::format("  {} points, {} weights{}; rms deviation {:.3g} %, R^2 {:.6f}, AICc {:.2f}, "
-                        "BIC {:.2f}",
-                        result.points, fit::name_of(result.weighting),
-                        result.loss == fit::Loss::squares
-                            ? ""
-                            : fmt::format(", {} loss", fit::name_of(result.loss)),
-                        100.0 * result.rms_relative, result.determination, result.criteria.aicc,
-                        result.criteria.bic);
+    text += fmt::format(
+        "  {} points, {} weights{}; rms deviation {:.3g} %, R^2 {:.6f}, AICc {:.2f}, "
+        "BIC {:.2f}",
+        result.points, fit::name_of(result.weighting),
+        result.loss == fit::Loss::squares ? ""
+                                          : fmt::format(", {} loss", fit::name_of(result.loss)),
+        100.0 * result.rms_relative, result.determination, result.criteria.aicc,
+        result.criteria.bic);
     if (result.runs)
         text += fmt::format("; {} runs of sign ({:.0f} expected, p = {:.2g})", result.runs->runs,
                             result.runs->expected_runs, result.runs->probability);
@@ -50,13 +50,15 @@ void add_law(std::string& text, const LawRecord& record) {
     if (!record.predictions.empty()) {
         text += "    shear rate 1/s   stress Pa   95 % of the curve        95 % of a point\n";
         for (const fit::PredictedPoint& point : record.predictions)
-            text += fmt::format("  {:>16.6g} {:>11.5g}   {:>9.5g} ... {:<9.5g}  {:>9.5g} ... {:<9.5g}{}\n",
-                                point.rate, point.stress, point.confidence_low,
-                                point.confidence_high, point.prediction_low, point.prediction_high,
-                                point.extrapolated ? " extrapolated" : "");
+            text += fmt::format(
+                "  {:>16.6g} {:>11.5g}   {:>9.5g} ... {:<9.5g}  {:>9.5g} ... {:<9.5g}{}\n",
+                point.rate, point.stress, point.confidence_low, point.confidence_high,
+                point.prediction_low, point.prediction_high,
+                point.extrapolated ? " extrapolated" : "");
     }
     for (const fit::Design& design : record.designs) {
-        text += fmt::format("  next points{}:", design.window.empty() ? "" : " in " + design.window);
+        text +=
+            fmt::format("  next points{}:", design.window.empty() ? "" : " in " + design.window);
         for (const fit::DesignPoint& point : design.points)
             text += fmt::format(" {:.3g} 1/s{}", point.rate,
                                 point.repeats > 1 ? fmt::format(" (x{})", point.repeats) : "");
@@ -106,11 +108,10 @@ std::string batch(const std::vector<CurveRecord>& curves) {
         text += fmt::format("{:<{}}  {:>6}  {:>5.2f}", curve.name, width, result.points,
                             100.0 * result.rms_relative);
         for (const fit::Estimate& estimate : result.estimates)
-            text += fmt::format("  {:>20}",
-                                std::isfinite(estimate.standard_error)
-                                    ? fmt::format("{:.5g} +- {:.2g}", estimate.value,
-                                                  estimate.standard_error)
-                                    : fmt::format("{:.5g}", estimate.value));
+            text += fmt::format("  {:>20}", std::isfinite(estimate.standard_error)
+                                                ? fmt::format("{:.5g} +- {:.2g}", estimate.value,
+                                                              estimate.standard_error)
+                                                : fmt::format("{:.5g}", estimate.value));
         text += fmt::format("  {}\n", result.warnings.size());
     }
     return text;
@@ -120,9 +121,8 @@ std::string batch(const std::vector<CurveRecord>& curves) {
 
 std::string fits_as_text(const std::vector<CurveRecord>& curves) {
     const bool many = curves.size() > 3 &&
-                      std::all_of(curves.begin(), curves.end(), [](const CurveRecord& curve) {
-                          return curve.laws.size() <= 1;
-                      });
+                      std::all_of(curves.begin(), curves.end(),
+                                  [](const CurveRecord& curve) { return curve.laws.size() <= 1; });
     if (many)
         return batch(curves);
     std::string text;

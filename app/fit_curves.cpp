@@ -89,9 +89,8 @@ std::vector<CurveRecord> fit_curves(const FitVerbOptions& options) {
                 if (!rates.empty())
                     law.predictions = fit::predict(*law.law, result, record.data, rates);
                 if (options.design)
-                    law.designs =
-                        fit::suggest_windows(*law.law, result, windows_for(record.data),
-                                             static_cast<std::size_t>(*options.design));
+                    law.designs = fit::suggest_windows(*law.law, result, windows_for(record.data),
+                                                       static_cast<std::size_t>(*options.design));
                 law.result = std::move(result);
                 record.laws.push_back(std::move(law));
             }

@@ -38,13 +38,11 @@ fit::Range range_of(std::string_view words, std::string_view option) {
         throw UsageError(fmt::format("{} takes LOW:HIGH, not \"{}\"", option, words));
     const fit::Range range{number_of(ends[0], option), number_of(ends[1], option)};
     if (!(range.low <= range.high))
-        throw UsageError(
-            fmt::format("{}: {} is above {}", option, range.low, range.high));
+        throw UsageError(fmt::format("{}: {} is above {}", option, range.low, range.high));
     return range;
 }
 
-std::pair<std::string, std::string_view> assignment(std::string_view words,
-                                                    std::string_view option,
+std::pair<std::string, std::string_view> assignment(std::string_view words, std::string_view option,
                                                     std::string_view shape) {
     const std::size_t sign = words.find('=');
     if (sign == std::string_view::npos)
@@ -56,8 +54,7 @@ std::pair<std::string, std::string_view> assignment(std::string_view words,
 
 fit::FitOptions fit_options_of(const FitVerbOptions& options) {
     fit::FitOptions result;
-    result.weighting =
-        fit::weighting_named(options.weights).value_or(fit::Weighting::custom);
+    result.weighting = fit::weighting_named(options.weights).value_or(fit::Weighting::custom);
     if (options.weights == "custom")
         throw UsageError("--weights takes relative, fitted, absolute, log, or the name of a column "
                          "with standard deviations");
@@ -92,10 +89,9 @@ std::vector<fit::Model> laws_of(std::string_view names) {
                 list += fmt::format("{}, ", each.name);
             }
             const auto meant = casefile::nearest_name(std::string(name), known);
-            throw UsageError(fmt::format("--model: there is no law \"{}\"{}; allowed: {}all", name,
-                                         meant ? fmt::format(" (did you mean \"{}\"?)", *meant)
-                                               : "",
-                                         list));
+            throw UsageError(
+                fmt::format("--model: there is no law \"{}\"{}; allowed: {}all", name,
+                            meant ? fmt::format(" (did you mean \"{}\"?)", *meant) : "", list));
         }
         laws.push_back(*law);
     }

@@ -79,8 +79,7 @@ std::vector<Series> read_series(const FitVerbOptions& options) {
         const auto motion = geometry::rotates(read.scene.instrument)
                                 ? rheometry::DriveMotion::turning
                                 : rheometry::DriveMotion::sliding;
-        rheometry::MeasuredData data =
-            rheometry::read_measured_data(options.data_files[i], motion);
+        rheometry::MeasuredData data = rheometry::read_measured_data(options.data_files[i], motion);
         for (const std::string& remark : data.remarks)
             tell(fmt::format("{}: {}", options.data_files[i].string(), remark));
         for (rheometry::MeasuredStep& step : data.steps) {

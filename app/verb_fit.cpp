@@ -35,8 +35,8 @@ void check_outputs(const FitVerbOptions& options) {
     for (const auto& output : options.outputs) {
         const std::string ending = output.extension().string();
         if (ending != ".html" && ending != ".json" && ending != ".csv")
-            throw UsageError(fmt::format("-o {}: the ending must be .html, .json or .csv",
-                                         output.string()));
+            throw UsageError(
+                fmt::format("-o {}: the ending must be .html, .json or .csv", output.string()));
         for (const auto& data : options.data_files) {
             std::error_code ignored;
             if (std::filesystem::equivalent(output, data, ignored))
@@ -72,9 +72,8 @@ int fit_laws(const FitVerbOptions& options) {
         std::cout << (options.predict ? predictions_as_csv(curves) : fits_as_csv(curves));
     else
         std::cout << fits_as_text(curves);
-    const bool any = std::any_of(curves.begin(), curves.end(), [](const CurveRecord& curve) {
-        return curve.failure.empty();
-    });
+    const bool any = std::any_of(curves.begin(), curves.end(),
+                                 [](const CurveRecord& curve) { return curve.failure.empty(); });
     if (!any) {
         std::fputs(fmt::format("searle: {}\n", curves.front().failure).c_str(), stderr);
         return ExitCode::wrong_usage;

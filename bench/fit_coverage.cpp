@@ -64,7 +64,8 @@ std::vector<double> random_parameters(const fit::Model& law, double low, double 
     return {zero, infinite, time, slope, draw.uniform(0.6, 3.0)};
 }
 
-/// Relative standard error of each parameter that the truth promises; infinite where it is singular.
+/// Relative standard error of each parameter that the truth promises; infinite where it is
+/// singular.
 std::vector<double> promised_errors(const fit::Model& law, const std::vector<double>& truth,
                                     const std::vector<double>& rates, double noise) {
     const std::vector<double> search = law.search(truth);
@@ -100,14 +101,14 @@ int main(int count, char** words) {
     fit::FitOptions options;
     options.weighting =
         fit::weighting_named(count > 3 ? words[3] : "relative").value_or(fit::Weighting::relative);
-    const std::vector<std::string> names{"newtonian", "bingham",        "power-law",
-                                         "casson",    "herschel-bulkley", "cross",
-                                         "carreau-yasuda"};
+    const std::vector<std::string> names{"newtonian",        "bingham", "power-law",     "casson",
+                                         "herschel-bulkley", "cross",   "carreau-yasuda"};
     std::map<std::string, std::vector<Count>> counts;
     std::map<std::string, std::vector<double>> times;
     int not_converged = 0;
     for (int set = 0; set < sets; ++set) {
-        const fit::Model& law = *fit::model_named(names[static_cast<std::size_t>(set) % names.size()]);
+        const fit::Model& law =
+            *fit::model_named(names[static_cast<std::size_t>(set) % names.size()]);
         const double decades = draw.uniform(1.0, 6.0);
         const double low = draw.logarithmic(1e-3, 1.0);
         const auto points = static_cast<std::size_t>(draw.uniform(10.0, 61.0));
@@ -115,16 +116,14 @@ int main(int count, char** words) {
         fit::FlowData data;
         data.rates = fit::spread_rates(low, low * std::pow(10.0, decades), points);
         data.lines.assign(points, 0);
-        const std::vector<double> truth =
-            random_parameters(law, low, data.rates.back(), draw);
+        const std::vector<double> truth = random_parameters(law, low, data.rates.back(), draw);
         for (const double rate : data.rates)
             data.stresses.push_back(law.stress(truth, rate) * (1.0 + noise * draw.normal()));
         const std::vector<double> promised = promised_errors(law, truth, data.rates, noise);
 
         const std::clock_t start = std::clock();
         const fit::FitResult result = fit::fit_flow_curve(law, data, options);
-        times[std::string(law.name)].push_back(
-            1e3 * double(std::clock() - start) / CLOCKS_PER_SEC);
+        times[std::string(law.name)].push_back(1e3 * double(std::clock() - start) / CLOCKS_PER_SEC);
         if (!result.converged)
             ++not_converged;
         auto& own = counts[std::string(law.name)];
@@ -160,8 +159,9 @@ int main(int count, char** words) {
         std::vector<double>& own = times[name];
         std::sort(own.begin(), own.end());
         if (!own.empty())
-            std::printf("%-17s processor time per fit: median %.2f ms, 99 %% %.2f ms, longest %.2f ms\n",
-                        name.c_str(), own[own.size() / 2], own[own.size() * 99 / 100], own.back());
+            std::printf(
+                "%-17s processor time per fit: median %.2f ms, 99 %% %.2f ms, longest %.2f ms\n",
+                name.c_str(), own[own.size() / 2], own[own.size() * 99 / 100], own.back());
     }
     return 0;
 }

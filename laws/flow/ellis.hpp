@@ -41,8 +41,7 @@ struct EllisLaw {
         const double alpha = plain(exponent);
         const double target = std::log(rate) + std::log(viscosity);
         // From above: the smaller of the two stresses that one term alone would need.
-        double log_stress =
-            std::min(target, std::log(half) + (target - std::log(half)) / alpha);
+        double log_stress = std::min(target, std::log(half) + (target - std::log(half)) / alpha);
         double slope = 1.0;
         for (int iteration = 0; iteration < 60; ++iteration) {
             const double power = std::exp((alpha - 1.0) * (log_stress - std::log(half)));
@@ -73,10 +72,8 @@ private:
     static double plain(double value) { return value; }
     /// The value of a number that carries derivatives.
     template <class Number>
-        requires requires(const Number& number) { number.a; }
-    static double plain(const Number& value) {
-        return value.a;
-    }
+    requires requires(const Number& number) { number.a; }
+    static double plain(const Number& value) { return value.a; }
 };
 using Ellis = EllisLaw<double>;
 static_assert(FlowLaw<Ellis>);

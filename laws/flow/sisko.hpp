@@ -55,8 +55,7 @@ struct SiskoLaw {
         if (!(infinite_viscosity > 0.0)) {
             return by_power;
         }
-        return invert_monotone(*this, excess,
-                               std::min(by_half, 0.5 * excess / infinite_viscosity),
+        return invert_monotone(*this, excess, std::min(by_half, 0.5 * excess / infinite_viscosity),
                                std::min(by_power, excess / infinite_viscosity));
     }
     [[nodiscard]] double sharpness() const {

@@ -10,10 +10,10 @@ namespace searle::laws::flow {
 /// stress = yield_stress + (extrapolated_stress - yield_stress) [1 - exp(-rate /
 /// characteristic_rate)] + infinite_viscosity * rate. Windhab 1993, in ICA report on the rheology
 /// of chocolate; IOCCC method 46 (2000).
-/// yield_stress, Pa, >= 0; extrapolated_stress, Pa, >= yield_stress: where the straight line of high
-/// rates meets the axis; infinite_viscosity, Pa s, > 0; characteristic_rate, 1/s, > 0: where 63 % of
-/// the structure that shear breaks is broken.
-/// Limits: extrapolated_stress = yield_stress is Bingham.
+/// yield_stress, Pa, >= 0; extrapolated_stress, Pa, >= yield_stress: where the straight line of
+/// high rates meets the axis; infinite_viscosity, Pa s, > 0; characteristic_rate, 1/s, > 0: where
+/// 63 % of the structure that shear breaks is broken. Limits: extrapolated_stress = yield_stress is
+/// Bingham.
 template <class Scalar = double>
 struct WindhabLaw {
     static constexpr std::string_view name = "windhab";

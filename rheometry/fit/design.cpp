@@ -30,8 +30,8 @@ public:
         model_.stresses(result_.search, rates, stresses, jacobian);
         std::vector<double> scaled;
         for (std::size_t k = 0; k < rates.size(); ++k) {
-            const double unit = result_.weighting == Weighting::absolute ? result_.units.front()
-                                                                         : stresses[k];
+            const double unit =
+                result_.weighting == Weighting::absolute ? result_.units.front() : stresses[k];
             for (const std::size_t i : searched_)
                 scaled.push_back(jacobian[k * count + i] / (unit * result_.residual_deviation));
         }
@@ -58,8 +58,7 @@ Design suggest_points(const Model& model, const FitResult& result, const RateWin
                       std::size_t count) {
     const Information information(model, result);
     const std::size_t size = information.size();
-    const std::vector<double> rates =
-        spread_rates(window.rates.low, window.rates.high, candidates);
+    const std::vector<double> rates = spread_rates(window.rates.low, window.rates.high, candidates);
     const std::vector<double> rows = information.rows(rates);
     const auto row = [&](std::size_t k) { return std::span(rows).subspan(k * size, size); };
 
@@ -129,8 +128,7 @@ Design suggest_points(const Model& model, const FitResult& result, const RateWin
         const std::size_t i = information.searched()[s];
         const double deviation = std::sqrt(covariance[s * size + s]);
         design.standard_errors[i] =
-            deviation *
-            search_slope(result.estimates[i].parameter.transform, result.search[i]);
+            deviation * search_slope(result.estimates[i].parameter.transform, result.search[i]);
         if (!old.empty())
             design.shrinkage[i] = deviation / std::sqrt(old[s * size + s]);
     }

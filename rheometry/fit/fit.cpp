@@ -32,8 +32,8 @@ Minimum best_minimum(const LeastSquaresProblem& problem,
         const bool lower = found.sum_of_squares < best.sum_of_squares;
         const bool as_low = found.sum_of_squares <= best.sum_of_squares * (1.0 + 1e-12);
         if (lower || (as_low && found.converged && !best.converged)) {
-            const bool settled = best.converged && best.sum_of_squares <=
-                                                       found.sum_of_squares * (1.0 + 1e-12);
+            const bool settled =
+                best.converged && best.sum_of_squares <= found.sum_of_squares * (1.0 + 1e-12);
             best = std::move(found);
             best.converged = best.converged || settled;
         }
@@ -262,10 +262,10 @@ FitResult fit_forward(const ForwardModel& forward, std::span<const double> obser
             intervals.push_back({});
             if (problem.low[i] >= problem.high[i])
                 continue;
-            intervals.back() = profile_interval(problem, minimum, i, variance, quantile,
-                                                is_free[i] ? std::span<const double>(
-                                                                 result.search_covariance)
-                                                           : std::span<const double>());
+            intervals.back() =
+                profile_interval(problem, minimum, i, variance, quantile,
+                                 is_free[i] ? std::span<const double>(result.search_covariance)
+                                            : std::span<const double>());
             better = intervals.back().better;
             if (parameters[i].transform == Transform::logarithm)
                 open_at_edges(intervals.back(), problem, parameters, i);
@@ -300,10 +300,9 @@ FitResult fit_forward(const ForwardModel& forward, std::span<const double> obser
         Estimate& estimate = result.estimates[i];
         if (parameters[i].held)
             continue;
-        const double deviation =
-            result.search_covariance.empty()
-                ? 0.0
-                : std::sqrt(result.search_covariance[i * count + i]);
+        const double deviation = result.search_covariance.empty()
+                                     ? 0.0
+                                     : std::sqrt(result.search_covariance[i * count + i]);
         if (!intervals.empty())
             set_interval(estimate, intervals[i]);
         else if (deviation > 0.0 && std::isfinite(quantile))

@@ -45,8 +45,8 @@ private:
     FitResult fit_with(const Model& model, const std::vector<Parameter>& parameters,
                        const std::vector<std::vector<double>>& starts, const FitOptions& options) {
         const FlowCurveModel forward(model, data_.rates);
-        FitResult result = fit_forward(forward, data_.stresses, data_.deviations, parameters,
-                                       starts, options);
+        FitResult result =
+            fit_forward(forward, data_.stresses, data_.deviations, parameters, starts, options);
         result.model = model.name;
         result.present_rates = data_.rates;
         return result;
@@ -58,8 +58,7 @@ private:
         for (const std::string_view name : contained_in(model)) {
             const Model& simpler = *model_named(name);
             if (simpler.size() < model.size() && data_.size() >= simpler.size())
-                starts.push_back(
-                    embedded(simpler, values_of(simpler), model, middle_rate(data_)));
+                starts.push_back(embedded(simpler, values_of(simpler), model, middle_rate(data_)));
         }
         return starts;
     }
@@ -77,8 +76,7 @@ private:
             starting_values(simpler, data_.rates, data_.stresses);
         if (simpler.name != "newtonian" && !contained_in(simpler).empty()) {
             const Model& simplest = *model_named("newtonian");
-            starts.push_back(
-                embedded(simplest, values_of(simplest), simpler, middle_rate(data_)));
+            starts.push_back(embedded(simplest, values_of(simplest), simpler, middle_rate(data_)));
         }
         return simpler_[simpler.name] = fit_with(simpler, parameters, starts, quick).values();
     }
@@ -150,15 +148,14 @@ std::vector<Parameter> bounded_parameters(const Model& model, const DataScale& s
         if (!(range.low <= range.high))
             throw FitError(fmt::format("{}: the lower bound {} is above the upper bound {}", key,
                                        range.low, range.high));
-        const bool below = parameter.transform == Transform::logarithm ? !(range.low > 0.0)
-                                                                       : range.low < 0.0;
+        const bool below =
+            parameter.transform == Transform::logarithm ? !(range.low > 0.0) : range.low < 0.0;
         if (below || (parameter.low_is_physical && range.low < parameter.low && range.low != 0.0))
-            throw FitError(fmt::format("{}: {} is below the least value {:g} of {}", key,
-                                       range.low, parameter.low_is_physical ? parameter.low : 0.0,
+            throw FitError(fmt::format("{}: {} is below the least value {:g} of {}", key, range.low,
+                                       parameter.low_is_physical ? parameter.low : 0.0,
                                        model.name));
-        parameter.low = std::max(range.low, parameter.transform == Transform::square_root
-                                                ? parameter.low
-                                                : range.low);
+        parameter.low = std::max(
+            range.low, parameter.transform == Transform::square_root ? parameter.low : range.low);
         parameter.high = std::max(range.high, parameter.low);
         parameter.held = range.low == range.high;
         parameter.low_is_physical = true;

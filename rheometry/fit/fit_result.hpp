@@ -44,12 +44,12 @@ struct FitResult {
     std::size_t degrees_of_freedom{};
     Weighting weighting{};
     Loss loss{};
-    double sum_of_squares{};      ///< weighted
-    double residual_deviation{};  ///< sqrt(sum_of_squares / degrees_of_freedom)
-    double rms_relative{};        ///< root mean square of (fitted - observed) / observed
-    double rms_absolute{};        ///< root mean square of fitted - observed
-    double determination{};       ///< R^2, of the observed values as they are
-    std::vector<double> fitted;   ///< in the order of the data
+    double sum_of_squares{};       ///< weighted
+    double residual_deviation{};   ///< sqrt(sum_of_squares / degrees_of_freedom)
+    double rms_relative{};         ///< root mean square of (fitted - observed) / observed
+    double rms_absolute{};         ///< root mean square of fitted - observed
+    double determination{};        ///< R^2, of the observed values as they are
+    std::vector<double> fitted;    ///< in the order of the data
     std::vector<double> residuals; ///< weighted, without the loss, in the order of the data
     std::vector<double> units;     ///< of the residuals, in the observation's unit
     std::optional<RunsTest> runs;

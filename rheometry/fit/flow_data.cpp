@@ -40,10 +40,9 @@ void add_remarks(FlowData& data) {
     std::size_t falling = 0;
     for (std::size_t k = 1; k < data.size(); ++k) {
         repeated += data.rates[k] == data.rates[k - 1] ? 1 : 0;
-        falling += data.rates[k] > data.rates[k - 1] &&
-                           data.stresses[k] < 0.98 * data.stresses[k - 1]
-                       ? 1
-                       : 0;
+        falling +=
+            data.rates[k] > data.rates[k - 1] && data.stresses[k] < 0.98 * data.stresses[k - 1] ? 1
+                                                                                                : 0;
     }
     if (repeated > 0)
         data.remarks.push_back(fmt::format(
@@ -120,4 +119,3 @@ FlowData select_points(std::span<const MeasuredPoint> points, const Selection& s
 }
 
 } // namespace searle::rheometry::fit
-

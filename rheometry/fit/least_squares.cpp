@@ -94,8 +94,7 @@ void polish(const LeastSquaresProblem& problem, const std::vector<std::size_t>& 
             return;
         const Eigen::VectorXd step =
             scale.cwiseInverse().asDiagonal() *
-            factors.solve(
-                Eigen::Map<const Eigen::VectorXd>(residuals.data(), matrix.rows()));
+            factors.solve(Eigen::Map<const Eigen::VectorXd>(residuals.data(), matrix.rows()));
         std::vector<double> next = minimum.parameters;
         double largest = 0.0;
         for (std::size_t i = 0; i < searched.size(); ++i) {
@@ -208,9 +207,9 @@ std::optional<std::vector<double>> inverse_normal_matrix(std::span<const double>
     if (std::abs(factors.matrixR()(count - 1, count - 1)) < 1e-12)
         return std::nullopt;
     const Eigen::MatrixXd root = factors.matrixR().topLeftCorner(count, count);
-    const Eigen::MatrixXd half = factors.colsPermutation() *
-                                 Eigen::MatrixXd(root.triangularView<Eigen::Upper>().solve(
-                                     Eigen::MatrixXd::Identity(count, count)));
+    const Eigen::MatrixXd half =
+        factors.colsPermutation() * Eigen::MatrixXd(root.triangularView<Eigen::Upper>().solve(
+                                        Eigen::MatrixXd::Identity(count, count)));
     const Eigen::MatrixXd scaled = half * half.transpose();
     for (std::size_t i = 0; i < chosen.size(); ++i)
         for (std::size_t k = 0; k < chosen.size(); ++k) {

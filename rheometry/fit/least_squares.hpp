@@ -9,9 +9,8 @@
 namespace searle::rheometry::fit {
 
 /// Residuals and, where asked for, their derivatives (row by row); false: no value there.
-using ResidualFunction =
-    std::function<bool(std::span<const double> parameters, std::span<double> residuals,
-                       std::span<double> jacobian)>;
+using ResidualFunction = std::function<bool(
+    std::span<const double> parameters, std::span<double> residuals, std::span<double> jacobian)>;
 
 /// A nonlinear least-squares problem within bounds.
 struct LeastSquaresProblem {

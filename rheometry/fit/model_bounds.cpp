@@ -36,8 +36,8 @@ void bound(Parameter& parameter, const DataScale& scale) {
                  10.0 * scale.highest_viscosity);
     } else if (key == "consistency") {
         // consistency = stress / rate^n with n between the bounds of the flow index.
-        const double swing = std::max(std::abs(std::log(scale.lowest_rate)),
-                                      std::abs(std::log(scale.highest_rate)));
+        const double swing =
+            std::max(std::abs(std::log(scale.lowest_rate)), std::abs(std::log(scale.highest_rate)));
         const double reach = std::min(600.0, 5.0 * swing + std::log(beyond));
         searched(scale.lowest_stress * std::exp(-reach), scale.highest_stress * std::exp(reach));
     } else if (key == "time_constant") {

@@ -14,9 +14,8 @@ std::vector<PredictedPoint> predict(const Model& model, const FitResult& result,
     const double quantile = student_t95(result.degrees_of_freedom);
     std::vector<PredictedPoint> points;
     for (std::size_t k = 0; k < rates.size(); ++k) {
-        double variance = result.search_covariance.empty()
-                              ? std::numeric_limits<double>::quiet_NaN()
-                              : 0.0;
+        double variance =
+            result.search_covariance.empty() ? std::numeric_limits<double>::quiet_NaN() : 0.0;
         for (std::size_t i = 0; i < count && !result.search_covariance.empty(); ++i)
             for (std::size_t j = 0; j < count; ++j)
                 variance += jacobian[k * count + i] * result.search_covariance[i * count + j] *
@@ -32,14 +31,14 @@ std::vector<PredictedPoint> predict(const Model& model, const FitResult& result,
                        stresses[k];
         const double curve = std::exp(quantile * std::sqrt(relative));
         const double point = std::exp(quantile * std::sqrt(relative + scatter * scatter));
-        points.push_back({.rate = rates[k],
-                          .stress = stresses[k],
-                          .confidence_low = stresses[k] / curve,
-                          .confidence_high = stresses[k] * curve,
-                          .prediction_low = stresses[k] / point,
-                          .prediction_high = stresses[k] * point,
-                          .extrapolated =
-                              rates[k] < data.rates.front() || rates[k] > data.rates.back()});
+        points.push_back(
+            {.rate = rates[k],
+             .stress = stresses[k],
+             .confidence_low = stresses[k] / curve,
+             .confidence_high = stresses[k] * curve,
+             .prediction_low = stresses[k] / point,
+             .prediction_high = stresses[k] * point,
+             .extrapolated = rates[k] < data.rates.front() || rates[k] > data.rates.back()});
     }
     return points;
 }
@@ -48,8 +47,7 @@ std::vector<double> spread_rates(double low, double high, std::size_t count) {
     std::vector<double> rates;
     for (std::size_t i = 0; i < count; ++i)
         rates.push_back(i + 1 == count ? high
-                                       : low * std::pow(high / low, double(i) /
-                                                                        double(count - 1)));
+                                       : low * std::pow(high / low, double(i) / double(count - 1)));
     return rates;
 }
 

@@ -13,9 +13,9 @@ namespace searle::rheometry::fit {
 struct ProfileInterval {
     double low{};
     double high{};
-    bool low_reached = true;  ///< false: `low` is the parameter's bound, and still within
-    bool high_reached = true; ///< the same for `high`
-    std::vector<double> at_low;  ///< all parameters where the interval ends
+    bool low_reached = true;    ///< false: `low` is the parameter's bound, and still within
+    bool high_reached = true;   ///< the same for `high`
+    std::vector<double> at_low; ///< all parameters where the interval ends
     std::vector<double> at_high;
     /// A better optimum that was met on the way; the interval is then void.
     std::optional<Minimum> better;

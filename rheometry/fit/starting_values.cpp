@@ -38,9 +38,9 @@ public:
     void offer(double misfit, std::vector<double> values) {
         if (!std::isfinite(misfit))
             return;
-        const auto place = std::upper_bound(
-            starts_.begin(), starts_.end(), misfit,
-            [](double value, const Start& start) { return value < start.misfit; });
+        const auto place =
+            std::upper_bound(starts_.begin(), starts_.end(), misfit,
+                             [](double value, const Start& start) { return value < start.misfit; });
         starts_.insert(place, {misfit, std::move(values)});
         if (starts_.size() > most_starts)
             starts_.pop_back();
@@ -105,14 +105,14 @@ std::vector<std::vector<double>> plateau_starts(const Model& model, const Sample
     const bool cross = model.name == "cross";
     const std::vector<double> transitions =
         cross ? std::vector{1.0} : std::vector{0.5, 1.0, 2.0, 5.0};
-    for (const double time : logarithmic_grid(0.1 / scale.highest_rate, 10.0 / scale.lowest_rate, 9))
+    for (const double time :
+         logarithmic_grid(0.1 / scale.highest_rate, 10.0 / scale.lowest_rate, 9))
         for (const double index : {0.05, 0.25, 0.45, 0.65, 0.85})
             for (const double transition : transitions) {
                 const auto terms = linear_part<2>(sample, [&](double rate) {
-                    const double share =
-                        cross ? 1.0 / (1.0 + std::pow(time * rate, 1.0 - index))
-                              : std::pow(1.0 + std::pow(time * rate, transition),
-                                         (index - 1.0) / transition);
+                    const double share = cross ? 1.0 / (1.0 + std::pow(time * rate, 1.0 - index))
+                                               : std::pow(1.0 + std::pow(time * rate, transition),
+                                                          (index - 1.0) / transition);
                     return std::array{rate * share, rate * (1.0 - share)};
                 });
                 const double zero = std::max(terms.factor[0], 0.2 * scale.lowest_viscosity);
@@ -154,9 +154,9 @@ std::vector<std::vector<double>> windhab_starts(const Sample& sample, const Data
         const auto terms = linear_part<3>(sample, [&](double rate) {
             return std::array{1.0, -std::expm1(-rate / rate_scale), rate};
         });
-        best.offer(terms.misfit, {terms.factor[0], terms.factor[0] + terms.factor[1],
-                                  std::max(terms.factor[2], 1e-4 * scale.lowest_viscosity),
-                                  rate_scale});
+        best.offer(terms.misfit,
+                   {terms.factor[0], terms.factor[0] + terms.factor[1],
+                    std::max(terms.factor[2], 1e-4 * scale.lowest_viscosity), rate_scale});
     }
     return best.values();
 }
@@ -191,8 +191,9 @@ std::vector<std::vector<double>> starting_values(const Model& model, std::span<c
         return {{terms.factor[0]}};
     }
     if (model.name == "bingham") {
-        const auto terms =
-            linear_part<2>(sample, [](double rate) { return std::array{1.0, rate}; });
+        const auto terms = linear_part<2>(sample, [](double rate) {
+            return std::array{1.0, rate};
+        });
         return {{terms.factor[0], std::max(terms.factor[1], 1e-4 * scale.lowest_viscosity)}};
     }
     if (model.name == "casson") {

@@ -32,17 +32,18 @@ void warn_of_open_intervals(FitResult& result) {
         if (!is_open(estimate) || estimate.at_bound || result.degrees_of_freedom == 0)
             continue;
         if (parameter.key == "yield_stress" && estimate.low_open) {
-            result.warnings.push_back("yield_stress is not identifiable from this range: 0 is within "
-                                      "its 95 % interval; points at lower rates would tell");
+            result.warnings.push_back(
+                "yield_stress is not identifiable from this range: 0 is within "
+                "its 95 % interval; points at lower rates would tell");
         } else if (estimate.low_open && estimate.high_open) {
             result.warnings.push_back(
                 fmt::format("{} is not determined by these data", parameter.key));
         } else if (estimate.high_open) {
-            result.warnings.push_back(
-                fmt::format("{} has no upper limit within what these data can tell", parameter.key));
+            result.warnings.push_back(fmt::format(
+                "{} has no upper limit within what these data can tell", parameter.key));
         } else {
-            result.warnings.push_back(
-                fmt::format("{} has no lower limit within what these data can tell", parameter.key));
+            result.warnings.push_back(fmt::format(
+                "{} has no lower limit within what these data can tell", parameter.key));
         }
     }
 }

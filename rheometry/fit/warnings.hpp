@@ -7,7 +7,8 @@
 namespace searle::rheometry::fit {
 
 /// Adds what a reader of the numbers should know: parameters that the data do not determine,
-/// parameters on a bound or bound to each other, residuals that follow a pattern, weights that bias.
+/// parameters on a bound or bound to each other, residuals that follow a pattern, weights that
+/// bias.
 void add_parameter_warnings(FitResult& result);
 
 /// The same, and what only a flow curve shows; the data's own remarks first.

@@ -23,9 +23,7 @@ Axis axis(RichText name, Scale scale) {
     return result;
 }
 
-RichText rate_name() {
-    return RichText("shear rate, 1/s");
-}
+RichText rate_name() { return RichText("shear rate, 1/s"); }
 
 Series line(std::string_view name, Stroke stroke, int colour) {
     Series series;
@@ -60,8 +58,7 @@ Plot curve_plot(const FittedCurve& curve, const std::string& id) {
     const FittedLaw& best = curve.laws.front();
     const double low = curve.data.rates.front();
     const double high = std::max(curve.data.rates.back(), low * 1.001);
-    const std::vector<double> rates =
-        fit::spread_rates(low * 0.5, high * 2.0, band_points);
+    const std::vector<double> rates = fit::spread_rates(low * 0.5, high * 2.0, band_points);
     Series fitted = line(best.result.model, Stroke::solid, 1);
     Series confidence_low = line("95 % of the curve", Stroke::dashed, 1);
     Series prediction_low = line("95 % of a point", Stroke::dotted, 2);
@@ -71,8 +68,8 @@ Plot curve_plot(const FittedCurve& curve, const std::string& id) {
     if (bands) {
         for (const fit::PredictedPoint& point :
              fit::predict(*best.law, best.result, curve.data, rates)) {
-            for (Series* series : {&fitted, &confidence_low, &confidence_high, &prediction_low,
-                                   &prediction_high})
+            for (Series* series :
+                 {&fitted, &confidence_low, &confidence_high, &prediction_low, &prediction_high})
                 series->x.push_back(point.rate);
             fitted.y.push_back(point.stress);
             confidence_low.y.push_back(point.confidence_low);
@@ -170,12 +167,11 @@ std::string curve_section(const FittedCurve& curve, std::size_t number) {
     figure.add(curve_plot(curve, id));
     if (is_flow_curve(best, curve))
         figure.add(residual_plot(curve, id));
-    out += figure_html(
-        figure.finish(fmt::format(
-            "{} points and the law {}: {}. {} points left out.", curve.data.size(),
-            escaped(best.result.model), escaped(std::string(best.law->formula)),
-            curve.data.excluded.size())),
-        static_cast<int>(number));
+    out += figure_html(figure.finish(fmt::format(
+                           "{} points and the law {}: {}. {} points left out.", curve.data.size(),
+                           escaped(best.result.model), escaped(std::string(best.law->formula)),
+                           curve.data.excluded.size())),
+                       static_cast<int>(number));
     out += parameter_table(best.result);
     out += correlation_table(best.result);
     if (curve.laws.size() > 1)
@@ -214,9 +210,9 @@ std::string render_fit_page(const FitPageInput& input) {
     const bool single = input.curves.size() == 1;
     const std::string title =
         single ? input.curves.front().name : fmt::format("{} curves", input.curves.size());
-    std::string body = page_header(
-        "Fit", title,
-        "Flow laws by least squares; intervals are 95 % profile-likelihood intervals.");
+    std::string body =
+        page_header("Fit", title,
+                    "Flow laws by least squares; intervals are 95 % profile-likelihood intervals.");
     if (!single)
         body += batch_table(input);
     for (std::size_t i = 0; i < input.curves.size() && i < most_full_curves; ++i)

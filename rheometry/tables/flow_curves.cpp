@@ -114,7 +114,8 @@ bool is_heading(std::string_view line, char delimiter) {
         const std::size_t end = line.find(delimiter);
         std::string field;
         for (const char c : line.substr(0, end))
-            field += c == '_' || c == '"' ? ' ' : static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
+            field +=
+                c == '_' || c == '"' ? ' ' : static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
         const std::string_view name = trimmed(field);
         ++fields;
         rate = rate || name.starts_with("shear rate");
@@ -232,9 +233,8 @@ FlowCurveFile from_text(const fs::path& file, std::string_view bytes,
         while (below < section.end_line && trimmed(lines[below]).empty())
             ++below;
         const std::string merged =
-            below < section.end_line
-                ? headings_with_units(lines[section.first_line], lines[below])
-                : std::string();
+            below < section.end_line ? headings_with_units(lines[section.first_line], lines[below])
+                                     : std::string();
         for (std::size_t k = section.first_line; k < section.end_line; ++k) {
             const bool blank = trimmed(lines[k]).empty(); // delimiters alone are no row
             if (!blank && (merged.empty() || (k != section.first_line && k != below)))
@@ -244,12 +244,11 @@ FlowCurveFile from_text(const fs::path& file, std::string_view bytes,
             table_text += '\n';
         }
         const CsvTable table = CsvTable::parse(table_text, file.string());
-        std::string name = section.name.empty() && sections.size() == 1
-                               ? file.stem().string()
-                           : section.name.empty()
-                               ? fmt::format("{} (line {})", file.stem().string(),
-                                             section.first_line + 1)
-                               : section.name;
+        std::string name =
+            section.name.empty() && sections.size() == 1 ? file.stem().string()
+            : section.name.empty()
+                ? fmt::format("{} (line {})", file.stem().string(), section.first_line + 1)
+                : section.name;
         result.curves.push_back({std::move(name), points_of(table, deviation_column)});
     }
     return result;

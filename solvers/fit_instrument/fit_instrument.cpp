@@ -48,9 +48,8 @@ InstrumentFit fit_through(const fit::Model& law, const std::vector<Measurement>&
 
     // The converted curve bounds where the law's parameters can be; a wide gap and its plug shift
     // them, but not by orders of magnitude.
-    std::vector<fit::Parameter> parameters =
-        fit::bounded_parameters(law, fit::scale_of(converted.rates, converted.stresses), options,
-                                true);
+    std::vector<fit::Parameter> parameters = fit::bounded_parameters(
+        law, fit::scale_of(converted.rates, converted.stresses), options, true);
     std::vector<std::vector<double>> starts{done.conventional->values()};
     if (slip) {
         const double largest = largest_slip(measurements, converted.stresses.front());

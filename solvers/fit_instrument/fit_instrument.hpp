@@ -17,7 +17,8 @@ struct InstrumentFit {
 };
 
 /// @param measurements    one or several instruments, same fluid
-/// @param converted       all rows by the instruments' conversions, as select_points gives them; the
+/// @param converted       all rows by the instruments' conversions, as select_points gives them;
+/// the
 ///                        starting values come from it
 /// @param slip            fit a wall slip too; needs two gaps of different widths
 /// Throws rheometry::fit::FitError.

@@ -83,11 +83,11 @@ GapResponse GapCurve::at(std::size_t index, const Model& law, std::span<const do
         result.outer_rate = law.rate(values, result.stress / ratio_squared);
         const Nodes nodes = nodes_between(range_of(log_rate, result.outer_rate), log_rate);
         for (std::size_t k = 0; k < nodes.rates.size(); ++k)
-            result.speed += 0.5 * nodes.weights[k] * nodes.rates[k] *
-                            law.log_slope(values, nodes.rates[k]);
+            result.speed +=
+                0.5 * nodes.weights[k] * nodes.rates[k] * law.log_slope(values, nodes.rates[k]);
         result.speed += slip * slip_per_stress * result.stress;
-        result.speed_slope = 0.5 * (inner - result.outer_rate) / result.stress +
-                             slip * slip_per_stress;
+        result.speed_slope =
+            0.5 * (inner - result.outer_rate) / result.stress + slip * slip_per_stress;
         return result;
     };
 

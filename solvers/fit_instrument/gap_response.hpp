@@ -36,7 +36,8 @@ public:
     /// @param slip    m/(Pa s), >= 0
     /// No value at a speed: NaN stress.
     [[nodiscard]] GapResponse at(std::size_t index, const rheometry::fit::Model& law,
-                                 std::span<const double> search, double slip, bool derivatives) const;
+                                 std::span<const double> search, double slip,
+                                 bool derivatives) const;
 
 private:
     radial::AnnularGap gap_;

@@ -24,8 +24,8 @@ struct Measurement {
 /// their order, then the slip coefficient (m/(Pa s)) if there is one.
 class InstrumentForward final : public rheometry::fit::ForwardModel {
 public:
-    InstrumentForward(const rheometry::fit::Model& law, const std::vector<Measurement>& measurements,
-                      bool slip);
+    InstrumentForward(const rheometry::fit::Model& law,
+                      const std::vector<Measurement>& measurements, bool slip);
 
     [[nodiscard]] std::size_t size() const override { return size_; }
     [[nodiscard]] bool predict(std::span<const double> search, std::span<double> values,

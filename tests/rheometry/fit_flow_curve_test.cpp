@@ -52,8 +52,7 @@ fit::FlowData curve_of(const fit::Model& law, const std::vector<double>& truth, 
 TEST(FitFlowCurve, exact_data_give_back_their_parameters_for_every_law) {
     for (const fit::Model& law : fit::models()) {
         const std::vector<double> truth = truth_of(law);
-        const fit::FitResult result =
-            fit::fit_flow_curve(law, curve_of(law, truth, 0.0, 1), {});
+        const fit::FitResult result = fit::fit_flow_curve(law, curve_of(law, truth, 0.0, 1), {});
         for (std::size_t i = 0; i < truth.size(); ++i)
             EXPECT_NEAR(result.estimates[i].value / truth[i], 1.0, 1e-7)
                 << law.name << " " << law.parameters[i].key;
@@ -96,9 +95,10 @@ TEST(FitFlowCurve, no_law_fits_worse_than_one_it_contains) {
             for (const fit::Model& law : fit::models()) {
                 const double own = fit::fit_flow_curve(law, data, options).sum_of_squares;
                 for (const std::string_view name : fit::contained_in(law))
-                    EXPECT_LE(own, fit::fit_flow_curve(*fit::model_named(name), data, options)
-                                           .sum_of_squares *
-                                       (1.0 + 1e-9))
+                    EXPECT_LE(
+                        own,
+                        fit::fit_flow_curve(*fit::model_named(name), data, options).sum_of_squares *
+                            (1.0 + 1e-9))
                         << law.name << " against " << name << " on " << maker.name;
             }
         }
@@ -135,22 +135,20 @@ TEST(FitFlowCurve, profile_interval_of_a_linear_law_is_students) {
 
 TEST(FitFlowCurve, power_law_data_show_no_yield_stress_and_say_so) {
     const fit::Model& law = *fit::model_named("power-law");
-    const fit::FitResult result =
-        fit::fit_flow_curve(*fit::model_named("herschel-bulkley"),
-                            curve_of(law, truth_of(law), 0.02, 4), {});
+    const fit::FitResult result = fit::fit_flow_curve(*fit::model_named("herschel-bulkley"),
+                                                      curve_of(law, truth_of(law), 0.02, 4), {});
     EXPECT_TRUE(result.estimates[0].low_open);
     EXPECT_EQ(result.estimates[0].low, 0.0);
-    EXPECT_TRUE(std::any_of(result.warnings.begin(), result.warnings.end(),
-                            [](const std::string& warning) {
-                                return warning.starts_with("yield_stress is ");
-                            }));
+    EXPECT_TRUE(
+        std::any_of(result.warnings.begin(), result.warnings.end(), [](const std::string& warning) {
+            return warning.starts_with("yield_stress is ");
+        }));
 }
 
 TEST(FitFlowCurve, ranking_puts_the_law_that_made_the_data_first) {
     for (const char* name : {"bingham", "herschel-bulkley", "casson", "windhab"}) {
         const fit::Model& law = *fit::model_named(name);
-        const auto results =
-            fit::fit_all(fit::models(), curve_of(law, truth_of(law), 0.01, 8), {});
+        const auto results = fit::fit_all(fit::models(), curve_of(law, truth_of(law), 0.01, 8), {});
         EXPECT_EQ(results.size(), fit::models().size());
         EXPECT_EQ(results.front().model, name);
     }
@@ -195,23 +193,26 @@ TEST(FitFlowCurve, equal_stresses_give_a_result_with_a_remark) {
     for (const double rate : {1.0, 3.0, 10.0, 30.0, 100.0})
         points.push_back({.rate = rate, .stress = 7.0, .deviation = NAN, .line = 0, .regime = {}});
     const fit::FlowData data = fit::select_points(points, {});
-    const fit::FitResult result =
-        fit::fit_flow_curve(*fit::model_named("bingham"), data, {});
+    const fit::FitResult result = fit::fit_flow_curve(*fit::model_named("bingham"), data, {});
     EXPECT_NEAR(result.fitted.front(), 7.0, 0.05);
-    EXPECT_TRUE(std::any_of(result.warnings.begin(), result.warnings.end(),
-                            [](const std::string& warning) {
-                                return warning.find("all stresses are equal") != std::string::npos;
-                            }));
+    EXPECT_TRUE(
+        std::any_of(result.warnings.begin(), result.warnings.end(), [](const std::string& warning) {
+            return warning.find("all stresses are equal") != std::string::npos;
+        }));
 }
 
 TEST(FitFlowData, unusable_points_are_left_out_with_their_reasons) {
     const double missing = std::numeric_limits<double>::quiet_NaN();
-    const std::vector<fit::MeasuredPoint> points{
-        {10.0, 5.0, missing, 2, ""},          {0.0, 1.0, missing, 3, ""},
-        {20.0, -4.0, missing, 4, ""},         {missing, 4.0, missing, 5, ""},
-        {1.0, missing, missing, 6, ""},       {5.0, 3.0, missing, 7, "laminar"},
-        {900.0, 50.0, missing, 8, "lag+taylor-vortices"}, {-2.0, -2.0, missing, 9, ""},
-        {30.0, 8.0, missing, 10, ""},         {40.0, 9.0, missing, 11, "laminar"}};
+    const std::vector<fit::MeasuredPoint> points{{10.0, 5.0, missing, 2, ""},
+                                                 {0.0, 1.0, missing, 3, ""},
+                                                 {20.0, -4.0, missing, 4, ""},
+                                                 {missing, 4.0, missing, 5, ""},
+                                                 {1.0, missing, missing, 6, ""},
+                                                 {5.0, 3.0, missing, 7, "laminar"},
+                                                 {900.0, 50.0, missing, 8, "lag+taylor-vortices"},
+                                                 {-2.0, -2.0, missing, 9, ""},
+                                                 {30.0, 8.0, missing, 10, ""},
+                                                 {40.0, 9.0, missing, 11, "laminar"}};
     const fit::FlowData data = fit::select_points(points, {});
     EXPECT_EQ(data.rates, (std::vector<double>{2.0, 5.0, 10.0, 30.0, 40.0}));
     ASSERT_EQ(data.excluded.size(), 5U);

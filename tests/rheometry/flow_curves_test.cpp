@@ -14,10 +14,10 @@ namespace rheometry = searle::rheometry;
 class FlowCurves : public testing::Test {
 protected:
     std::filesystem::path write(const std::string& text) {
-        file_ = std::filesystem::temp_directory_path() /
-                ("searle_" +
-                 std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) +
-                 ".csv");
+        file_ =
+            std::filesystem::temp_directory_path() /
+            ("searle_" +
+             std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".csv");
         std::ofstream(file_, std::ios::binary) << text;
         return file_;
     }
@@ -42,9 +42,8 @@ TEST_F(FlowCurves, tables_below_a_preamble_are_found_and_named) {
     const std::string table = "Interval data:\tPoint No.\tShear Rate\tShear Stress\tViscosity\r\n"
                               "\t\t\t\t\r\n\t\t[1/s]\t[Pa]\t[mPa·s]\r\n"
                               "\t1\t1,0\t5,1\t5100\r\n\t2\t3,0\t6,2\t2067\r\n\r\n";
-    const auto read = rheometry::read_flow_curves(
-        write("Project:\tX\r\nTest:\tFlow\r\n\r\nResult:\tUp\r\n" + table + "Result:\tDown\r\n" +
-              table));
+    const auto read = rheometry::read_flow_curves(write(
+        "Project:\tX\r\nTest:\tFlow\r\n\r\nResult:\tUp\r\n" + table + "Result:\tDown\r\n" + table));
     ASSERT_EQ(read.curves.size(), 2U);
     EXPECT_EQ(read.curves[0].name, "Up");
     EXPECT_EQ(read.curves[1].name, "Down");
@@ -84,9 +83,9 @@ TEST_F(FlowCurves, fault_in_a_block_names_its_line) {
 }
 
 TEST_F(FlowCurves, wrong_unit_is_an_error_that_names_the_column) {
-    EXPECT_THROW((void)rheometry::read_flow_curves(
-                     write("Shear Rate [rpm],Shear Stress [Pa]\n1,2\n3,4\n")),
-                 rheometry::TableError);
+    EXPECT_THROW(
+        (void)rheometry::read_flow_curves(write("Shear Rate [rpm],Shear Stress [Pa]\n1,2\n3,4\n")),
+        rheometry::TableError);
 }
 
 } // namespace

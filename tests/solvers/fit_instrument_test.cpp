@@ -41,9 +41,8 @@ void add(Experiment& experiment, std::vector<fit::MeasuredPoint>& points,
 
 /// Torques of the steady solver (not of the fit's own forward model), with relative scatter.
 std::vector<double> torques_of(const geometry::Instrument& instrument,
-                               const std::vector<double>& values,
-                               const std::vector<double>& speeds, double end_factor, double noise,
-                               unsigned seed) {
+                               const std::vector<double>& values, const std::vector<double>& speeds,
+                               double end_factor, double noise, unsigned seed) {
     std::mt19937_64 engine(seed);
     std::normal_distribution<double> normal;
     const searle::laws::flow::AnyFlowLaw law =
@@ -82,7 +81,8 @@ TEST(FitInstrument, forward_model_matches_the_radial_solver) {
                                                      {{instrument, {1.0}, speeds, {}}}, false);
             std::vector<double> found(speeds.size());
             ASSERT_TRUE(forward.predict(herschel_bulkley().search(values), found, {}));
-            const std::vector<double> expected = torques_of(instrument, values, speeds, 1.0, 0.0, 1);
+            const std::vector<double> expected =
+                torques_of(instrument, values, speeds, 1.0, 0.0, 1);
             for (std::size_t k = 0; k < speeds.size(); ++k)
                 EXPECT_NEAR(found[k] / expected[k], 1.0, 1e-9)
                     << geometry::name_of(instrument) << " " << speeds[k] << " yield " << yield;
@@ -167,8 +167,8 @@ TEST(FitInstrument, slip_is_told_from_the_law_by_two_gaps) {
     std::vector<fit::MeasuredPoint> points;
     unsigned seed = 5;
     for (const auto& instrument : {narrow_gap, wide_gap}) {
-        const through::InstrumentForward maker(herschel_bulkley(), {{instrument, {1.0}, speeds, {}}},
-                                               true);
+        const through::InstrumentForward maker(herschel_bulkley(),
+                                               {{instrument, {1.0}, speeds, {}}}, true);
         std::vector<double> search = herschel_bulkley().search(values);
         search.push_back(slip);
         std::vector<double> torques(speeds.size());
