@@ -174,6 +174,9 @@ int main(int argc, char** argv) {
     std::map<std::pair<std::string, double>, Tally> tallies;
     Tally all;
     for (int index = 0; index < scenes; ++index) {
+        if (index > 0 && index % 20 == 0) {
+            fmt::print("{} of {} scenes\n", index, scenes);
+        }
         const TransientScene scene = draw_scene(index, draw);
         const std::clock_t begin = std::clock();
         const TransientTorque found = solvers::radial::solve_levels(
