@@ -7,8 +7,8 @@ using searle::app::testing::run;
 using searle::app::testing::searle;
 using searle::app::testing::TemporaryFolder;
 
-const std::vector<std::string> working_verbs{"run",    "plan", "check",  "convert",
-                                             "report", "new",  "schema", "doctor"};
+const std::vector<std::string> working_verbs{"run", "plan",   "check",  "convert", "report",
+                                             "new", "schema", "doctor", "fit"};
 const std::vector<std::string> later_verbs{"mesh", "compare", "bench", "stress"};
 
 bool holds(const std::string& text, const std::string& part) {
