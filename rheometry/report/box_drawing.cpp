@@ -1,6 +1,7 @@
 #include "rheometry/report/box_drawing.hpp"
 
 #include "rheometry/report/half_section.hpp"
+#include "rheometry/report/rich_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,9 +18,8 @@ Drafting draw_box(const geometry::Box& instrument) {
     constexpr double left = 66.0;
     constexpr double oblique = 0.35; // pixels right and up per pixel of depth, each
 
-    const double common =
-        std::min({most_length / instrument.length, most_height / instrument.gap,
-                  most_length / instrument.width});
+    const double common = std::min({most_length / instrument.length, most_height / instrument.gap,
+                                    most_length / instrument.width});
     const auto drawn = [&](double metres, double most) {
         return std::clamp(common * metres, least, most);
     };
@@ -36,10 +36,8 @@ Drafting draw_box(const geometry::Box& instrument) {
     Drafting drawing{drawing_width, height};
 
     // The fluid's front, side and the hidden edges behind it.
-    const std::array<Pixel, 4> front{{{left, front_top},
-                                      {right, front_top},
-                                      {right, front_bottom},
-                                      {left, front_bottom}}};
+    const std::array<Pixel, 4> front{
+        {{left, front_top}, {right, front_top}, {right, front_bottom}, {left, front_bottom}}};
     const std::array<Pixel, 4> side{{{right, front_top},
                                      {right + depth, front_top - depth},
                                      {right + depth, front_bottom - depth},
@@ -93,7 +91,8 @@ Drafting draw_box(const geometry::Box& instrument) {
     drawing.vertical_dimension({left, front_top}, {left, front_bottom}, left - 24.0,
                                length_text("h", "", instrument.gap));
     drawing.horizontal_dimension({left, front_bottom + plate}, {right, front_bottom + plate},
-                                 front_bottom + plate + 30.0, length_text("\u2113", "", instrument.length));
+                                 front_bottom + plate + 30.0,
+                                 length_text("\u2113", "", instrument.length));
     const Pixel near_corner{right, front_top - plate};
     const Pixel far_corner{right + depth, front_top - plate - depth};
     constexpr double aside = 16.0;

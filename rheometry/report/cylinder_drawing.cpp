@@ -1,6 +1,7 @@
 #include "rheometry/report/cylinder_drawing.hpp"
 
 #include "rheometry/report/half_section.hpp"
+#include "rheometry/report/rich_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,10 +16,10 @@ constexpr double axis_x = 40.0;
 constexpr double top_y = 84.0;        // upper end of the wetted length
 constexpr double most_radius = 172.0; // pixels for the cup's radius
 constexpr double most_height = 270.0;
-constexpr double wall = 14.0;      // drawn thickness of the cup
-constexpr double overhang = 20.0;  // drawn length beyond the wetted length
+constexpr double wall = 14.0;     // drawn thickness of the cup
+constexpr double overhang = 20.0; // drawn length beyond the wetted length
 constexpr double row_height = 24.0;
-constexpr double magnified_at = 0.8; // share of the height at which the gap is magnified
+constexpr double magnified_at = 0.8;      // share of the height at which the gap is magnified
 constexpr double widest_plain_gap = 44.0; // pixels from which a gap needs no magnifier
 
 // One scale for both directions where the proportions allow it, else the height has its own.
@@ -53,9 +54,11 @@ void draw_cylinders(Drafting& drawing, const SectionScale& scale, std::span<cons
         const bool is_cup = &layer == &layers.back();
         const double left = scale.at(layer.from, 0.0).x;
         const double right = is_cup ? cup_outside : scale.at(layer.to, 0.0).x;
-        drawing.rectangle({left, is_fluid ? top_y : above}, {right, is_fluid ? scale.floor_y : below},
-                          layer.material);
-        if (is_fluid) { continue; }
+        drawing.rectangle({left, is_fluid ? top_y : above},
+                          {right, is_fluid ? scale.floor_y : below}, layer.material);
+        if (is_fluid) {
+            continue;
+        }
         drawing.break_line(left, right, above);
         drawing.break_line(left, right, below);
         if (left > scale.axis_x) {
@@ -75,12 +78,12 @@ void draw_cylinders(Drafting& drawing, const SectionScale& scale, std::span<cons
                                cup_outside + 24.0, length_text("L", "", height));
 }
 
-void draw_radius(Drafting& drawing, const SectionScale& scale, double radius, double cup_radius, int row,
-                 const RichText& text) {
+void draw_radius(Drafting& drawing, const SectionScale& scale, double radius, double cup_radius,
+                 int row, const RichText& text) {
     const double below = scale.floor_y + overhang;
     const double along = below + row_height * (row + 1);
-    drawing.horizontal_dimension({scale.axis_x, below + 14.0}, {scale.at(radius, 0.0).x, below + 2.0},
-                                 along, RichText{});
+    drawing.horizontal_dimension({scale.axis_x, below + 14.0},
+                                 {scale.at(radius, 0.0).x, below + 2.0}, along, RichText{});
     drawing.text({scale.at(cup_radius, 0.0).x + wall + 6.0, along + 4.0}, text);
 }
 
@@ -89,8 +92,9 @@ void draw_note(Drafting& drawing, const SectionScale& scale, double y) {
         scale.to_scale() ? "to scale" : "height not to the scale of the radii";
     drawing.text({width - 6.0, y - 15.0}, RichText{"vertical half-section, " + proportions},
                  Anchor::end, "halo soft small");
-    drawing.text({width - 6.0, y}, RichText{"ends, beyond the dashed lines, are not part of the model"},
-                 Anchor::end, "halo soft small");
+    drawing.text({width - 6.0, y},
+                 RichText{"ends, beyond the dashed lines, are not part of the model"}, Anchor::end,
+                 "halo soft small");
 }
 
 } // namespace

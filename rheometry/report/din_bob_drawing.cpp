@@ -2,6 +2,7 @@
 
 #include "rheometry/report/half_section.hpp"
 #include "rheometry/report/number_text.hpp"
+#include "rheometry/report/rich_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +19,7 @@ constexpr double surface_y = 92.0;
 constexpr double most_radius = 150.0;
 constexpr double most_height = 330.0;
 constexpr double wall = 13.0;
-constexpr double rim = 18.0;   // drawn height of the cup above the free surface
+constexpr double rim = 18.0; // drawn height of the cup above the free surface
 constexpr double shaft_top = 58.0;
 
 } // namespace
@@ -48,15 +49,11 @@ Drafting draw_din_bob(const geometry::DinBob& instrument) {
     Drafting drawing{width, height};
 
     drawing.rectangle({axis_x, surface_y}, cup_floor, Material::fluid);
-    const std::array<Pixel, 6> body{{{axis_x, shaft_top},
-                                     {shaft_foot.x, shaft_top},
-                                     shaft_foot,
-                                     upper_edge,
-                                     lower_edge,
-                                     tip}};
+    const std::array<Pixel, 6> body{
+        {{axis_x, shaft_top}, {shaft_foot.x, shaft_top}, shaft_foot, upper_edge, lower_edge, tip}};
     drawing.path("M" + pixels(axis_x) + " " + pixels(shaft_top) + "H" + pixels(shaft_foot.x) + "V" +
-                     pixels(shaft_foot.y) + "H" + pixels(upper_edge.x) + "V" + pixels(lower_edge.y) +
-                     "L" + pixels(tip.x) + " " + pixels(tip.y) + "Z",
+                     pixels(shaft_foot.y) + "H" + pixels(upper_edge.x) + "V" +
+                     pixels(lower_edge.y) + "L" + pixels(tip.x) + " " + pixels(tip.y) + "Z",
                  "paper");
     drawing.region(body, Material::rotor);
     drawing.outline(std::span{body}.subspan(1));
@@ -94,8 +91,9 @@ Drafting draw_din_bob(const geometry::DinBob& instrument) {
     const double half_angle = 0.5 * instrument.cone_angle * 180.0 / std::numbers::pi;
     const double arc_radius = std::clamp(0.75 * (lower_edge.x - axis_x), 20.0, 44.0);
     const double flank = half_angle * std::numbers::pi / 180.0;
-    drawing.line(tip, {tip.x - (arc_radius + 6.0) * std::sin(flank),
-                       tip.y - (arc_radius + 6.0) * std::cos(flank)},
+    drawing.line(tip,
+                 {tip.x - (arc_radius + 6.0) * std::sin(flank),
+                  tip.y - (arc_radius + 6.0) * std::cos(flank)},
                  "extension");
     drawing.arc(tip, arc_radius, -90.0 - half_angle, -90.0 + half_angle, "dimension");
     drawing.text({axis_x + 3.0, tip.y - arc_radius - 5.0},
@@ -106,10 +104,10 @@ Drafting draw_din_bob(const geometry::DinBob& instrument) {
     drawing.vertical_text({bob.x + 4.0, bob.y}, RichText{"bob, turns"});
     drawing.leader({cup_outside - 0.5 * wall, surface_y - 8.0}, {labels, surface_y - 14.0},
                    RichText{"cup, fixed"});
-    drawing.leader({0.25 * shaft_foot.x + 0.75 * cup_floor.x, surface_y}, {labels, surface_y + 12.0},
-                   RichText{"free surface"});
-    drawing.leader({cup_outside - 0.6 * wall, cup_floor.y + 0.5 * wall}, {labels, cup_floor.y + 14.0},
-                   RichText{"cup floor"});
+    drawing.leader({0.25 * shaft_foot.x + 0.75 * cup_floor.x, surface_y},
+                   {labels, surface_y + 12.0}, RichText{"free surface"});
+    drawing.leader({cup_outside - 0.6 * wall, cup_floor.y + 0.5 * wall},
+                   {labels, cup_floor.y + 14.0}, RichText{"cup floor"});
 
     const std::array<Layer, 3> layers{{{0.0, radius, Material::rotor},
                                        {radius, cup, Material::fluid},

@@ -1,5 +1,6 @@
 #include "rheometry/report/drafting.hpp"
 
+#include "rheometry/report/rich_text.hpp"
 #include "rheometry/report/svg_style.hpp"
 
 #include <algorithm>
@@ -17,9 +18,12 @@ constexpr double least_inside = 26.0; // shorter dimensions get their arrows fro
 
 std::string_view name_of_anchor(Anchor anchor) {
     switch (anchor) {
-    case Anchor::middle: return "middle";
-    case Anchor::end: return "end";
-    default: return "start";
+    case Anchor::middle:
+        return "middle";
+    case Anchor::end:
+        return "end";
+    default:
+        return "start";
     }
 }
 
@@ -36,9 +40,15 @@ constexpr std::string_view hatch_patterns =
 void Drafting::region(std::span<const Pixel> corners, Material material) {
     body_ += "<path";
     switch (material) {
-    case Material::fluid: body_ += " class=\"fluid\""; break;
-    case Material::rotor: body_ += " fill=\"url(#drawing-rotor)\""; break;
-    case Material::fixed: body_ += " fill=\"url(#drawing-fixed)\""; break;
+    case Material::fluid:
+        body_ += " class=\"fluid\"";
+        break;
+    case Material::rotor:
+        body_ += " fill=\"url(#drawing-rotor)\"";
+        break;
+    case Material::fixed:
+        body_ += " fill=\"url(#drawing-fixed)\"";
+        break;
     }
     body_ += " d=\"" + path_through(corners, true) + "\"/>";
 }
@@ -62,12 +72,15 @@ void Drafting::axis(double x, double top, double bottom) {
 }
 
 void Drafting::arrow_head(Pixel tip, double angle_degrees, std::string_view css_class) {
-    body_ += "<path class=\"" + std::string{css_class} + "\" d=\"M0 0L-8 2.6L-8 -2.6Z\" transform=\"translate(" +
-             pixels(tip.x) + " " + pixels(tip.y) + ") rotate(" + pixels(angle_degrees) + ")\"/>";
+    body_ += "<path class=\"" + std::string{css_class} +
+             "\" d=\"M0 0L-8 2.6L-8 -2.6Z\" transform=\"translate(" + pixels(tip.x) + " " +
+             pixels(tip.y) + ") rotate(" + pixels(angle_degrees) + ")\"/>";
 }
 
 void Drafting::horizontal_dimension(Pixel from, Pixel to, double along, const RichText& content) {
-    if (from.x > to.x) { std::swap(from, to); }
+    if (from.x > to.x) {
+        std::swap(from, to);
+    }
     const auto extension = [&](const Pixel& point) {
         const double beyond = along > point.y ? 4.0 : -4.0;
         line({point.x, point.y}, {point.x, along + beyond}, "extension");
@@ -93,7 +106,9 @@ void Drafting::horizontal_dimension(Pixel from, Pixel to, double along, const Ri
 }
 
 void Drafting::vertical_dimension(Pixel from, Pixel to, double along, const RichText& content) {
-    if (from.y > to.y) { std::swap(from, to); }
+    if (from.y > to.y) {
+        std::swap(from, to);
+    }
     const auto extension = [&](const Pixel& point) {
         const double beyond = along > point.x ? 4.0 : -4.0;
         line({point.x, point.y}, {along + beyond, point.y}, "extension");
@@ -227,7 +242,9 @@ std::string Drafting::svg(std::string_view description, bool as_file) const {
     out += "<defs>";
     out += hatch_patterns;
     out += definitions_ + "</defs>" + body_ + "</svg>";
-    if (as_file) { out += "\n"; }
+    if (as_file) {
+        out += "\n";
+    }
     return out;
 }
 

@@ -27,9 +27,9 @@ public:
     void line(Pixel from, Pixel to, std::string_view css_class);
     /// Dash-dotted line of symmetry.
     void axis(double x, double top, double bottom);
-    /// Dimension between two points: arrows along the line at `along` (its y for a horizontal one, its
-    /// x for a vertical one), extension lines from the points, the text beside it. Short dimensions
-    /// get their arrows from outside.
+    /// Dimension between two points: arrows along the line at `along` (its y for a horizontal one,
+    /// its x for a vertical one), extension lines from the points, the text beside it. Short
+    /// dimensions get their arrows from outside.
     void horizontal_dimension(Pixel from, Pixel to, double along, const RichText& text);
     void vertical_dimension(Pixel from, Pixel to, double along, const RichText& text);
     /// Text on a halo of the page's colour.

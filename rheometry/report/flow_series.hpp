@@ -24,8 +24,9 @@ struct CurveView {
 [[nodiscard]] Axis x_axis(const CurveView& view, Scale scale);
 [[nodiscard]] Axis y_axis(const CurveView& view, Scale scale);
 
-/// The computed points with error bars and tooltips. A history whose rates rise and fall is drawn
-/// in its order, with arrows, rising rates filled and falling ones open.
+/// The computed points with error bars and tooltips; refers to the rheogram while it lives. A
+/// history whose rates rise and fall is drawn in its order, with arrows, rising rates filled and
+/// falling ones open.
 [[nodiscard]] std::vector<Series> computed_series(const Rheogram& rheogram,
                                                   const Conversion& conversion,
                                                   const CurveView& view, bool transient,
@@ -40,7 +41,7 @@ struct CurveView {
 [[nodiscard]] Series inertia_free_series(const Rheogram& rheogram, const Conversion& conversion,
                                          const CurveView& view);
 
-/// Measured points as stress or viscosity over rate.
+/// Measured points as stress or viscosity over rate; refers to `measured` while it lives.
 [[nodiscard]] Series measured_series(const MeasuredSeries& measured, const CurveView& view,
                                      int index);
 
@@ -54,5 +55,15 @@ struct RateRange {
 
 /// Logarithmic when all finite values are positive and spread over more than a factor 30.
 [[nodiscard]] Scale suitable_scale(const std::vector<double>& values);
+
+/// A column of the rheogram times a factor.
+[[nodiscard]] std::vector<double> column(const Rheogram& rheogram, Quantity quantity,
+                                         double factor = 1.0);
+
+/// True when some point has both quantities finite and positive, as logarithmic axes need.
+[[nodiscard]] bool has_positive_pair(const Rheogram& rheogram, Quantity x, Quantity y);
+
+/// Shades the regimes over the plot's x axis; over rates or speeds only where each is passed once.
+void add_regimes(Plot& plot, const Rheogram& rheogram, const CurveView& view, bool transient);
 
 } // namespace searle::rheometry::report

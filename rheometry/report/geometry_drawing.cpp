@@ -11,15 +11,16 @@ namespace searle::rheometry::report {
 namespace {
 
 struct Draw {
-    Drafting operator()(const geometry::ConcentricCylinders& it) const { return draw_single_gap(it); }
+    Drafting operator()(const geometry::ConcentricCylinders& it) const {
+        return draw_single_gap(it);
+    }
     Drafting operator()(const geometry::DoubleGap& it) const { return draw_double_gap(it); }
     Drafting operator()(const geometry::DinBob& it) const { return draw_din_bob(it); }
     Drafting operator()(const geometry::Box& it) const { return draw_box(it); }
 };
 
 std::string drawn(const geometry::Instrument& instrument, bool as_file) {
-    return std::visit(Draw{}, instrument)
-        .svg("Dimensioned drawing of the instrument", as_file);
+    return std::visit(Draw{}, instrument).svg("Dimensioned drawing of the instrument", as_file);
 }
 
 } // namespace

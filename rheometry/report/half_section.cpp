@@ -1,6 +1,7 @@
 #include "rheometry/report/half_section.hpp"
 
 #include "rheometry/report/number_text.hpp"
+#include "rheometry/report/rich_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +32,8 @@ void magnify_gap(Drafting& drawing, const SectionScale& scale, std::span<const L
     const double distance = std::hypot(dx, dy);
     drawing.circle(source, ring, "hairline");
     drawing.line({source.x + dx * ring / distance, source.y + dy * ring / distance},
-                 {centre.x - dx * radius / distance, centre.y - dy * radius / distance}, "hairline");
+                 {centre.x - dx * radius / distance, centre.y - dy * radius / distance},
+                 "hairline");
 
     drawing.circle(centre, radius, "paper");
     drawing.begin_circle_clip(centre, radius);
@@ -39,7 +41,8 @@ void magnify_gap(Drafting& drawing, const SectionScale& scale, std::span<const L
     for (std::size_t k = 0; k < layers.size(); ++k) {
         const double left = k == 0 ? centre.x - radius : x_of(layers[k].from);
         const double right = k + 1 == layers.size() ? centre.x + radius : x_of(layers[k].to);
-        drawing.rectangle({left, centre.y - radius}, {right, centre.y + radius}, layers[k].material);
+        drawing.rectangle({left, centre.y - radius}, {right, centre.y + radius},
+                          layers[k].material);
     }
     for (std::size_t k = 1; k < layers.size(); ++k) {
         const double x = x_of(layers[k].from);

@@ -9,8 +9,8 @@ namespace searle::rheometry::report {
 
 /// From radius and height of an instrument (m) to pixels of its vertical half-section.
 struct SectionScale {
-    double axis_x{};     ///< pixel of r = 0
-    double floor_y{};    ///< pixel of z = 0
+    double axis_x{};  ///< pixel of r = 0
+    double floor_y{}; ///< pixel of z = 0
     double per_metre_r{};
     double per_metre_z{};
 

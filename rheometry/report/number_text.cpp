@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace searle::rheometry::report {
 
@@ -26,14 +27,22 @@ std::string superscript_integer(int number) {
 }
 
 void drop_trailing_zeros(std::string& digits) {
-    if (digits.find('.') == std::string::npos) { return; }
+    if (digits.find('.') == std::string::npos) {
+        return;
+    }
     digits.erase(digits.find_last_not_of('0') + 1);
-    if (digits.back() == '.') { digits.pop_back(); }
+    if (digits.back() == '.') {
+        digits.pop_back();
+    }
 }
 
 std::string number_text(double value, int digits, bool keep_zeros) {
-    if (!std::isfinite(value)) { return "\u2013"; }
-    if (value == 0.0) { return "0"; }
+    if (!std::isfinite(value)) {
+        return "\u2013";
+    }
+    if (value == 0.0) {
+        return "0";
+    }
     digits = std::clamp(digits, 1, 17);
     // The exponent after rounding: 9.996 to three digits is 10.0.
     const std::string scientific = fmt::format("{:.{}e}", std::abs(value), digits - 1);
@@ -44,10 +53,14 @@ std::string number_text(double value, int digits, bool keep_zeros) {
         // Digits before the point beyond the significant ones are zeros.
         const double rounded = exponent < digits ? std::abs(value) : std::atof(scientific.c_str());
         text = fmt::format("{:.{}f}", rounded, std::max(0, digits - 1 - exponent));
-        if (!keep_zeros) { drop_trailing_zeros(text); }
+        if (!keep_zeros) {
+            drop_trailing_zeros(text);
+        }
     } else {
         std::string mantissa = scientific.substr(0, mark);
-        if (!keep_zeros) { drop_trailing_zeros(mantissa); }
+        if (!keep_zeros) {
+            drop_trailing_zeros(mantissa);
+        }
         text = mantissa == "1" ? "" : fmt::format("{0}{1}\u00d7{1}", mantissa, thin_space);
         text += "10" + superscript_integer(exponent);
     }
@@ -58,21 +71,73 @@ std::string number_text(double value, int digits, bool keep_zeros) {
 
 std::string significant(double value, int digits) { return number_text(value, digits, false); }
 
-std::string significant_padded(double value, int digits) { return number_text(value, digits, true); }
+std::string significant_padded(double value, int digits) {
+    return number_text(value, digits, true);
+}
 
 std::string rounded_to_error(double value, double error) {
-    if (!std::isfinite(value) || value == 0.0) { return significant(value, 1); }
-    if (!std::isfinite(error) || error <= 0.0) { return significant(value, 10); }
+    if (!std::isfinite(value) || value == 0.0) {
+        return significant(value, 1);
+    }
+    if (!std::isfinite(error) || error <= 0.0) {
+        return significant(value, 10);
+    }
     const double leading = std::floor(std::log10(std::abs(value)));
     const double last = std::floor(std::log10(error)) - 1.0;
     const double digits = std::clamp(leading - last + 1.0, 3.0, 15.0);
     return significant_padded(value, static_cast<int>(digits));
 }
 
+std::optional<int> common_decimals(std::span<const double> values) {
+    constexpr int digits = 7;
+    constexpr double most_decades = 1e4;
+    double largest = 0.0;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const double value : values) {
+        if (!std::isfinite(value) || value == 0.0) {
+            continue;
+        }
+        largest = std::max(largest, std::abs(value));
+        smallest = std::min(smallest, std::abs(value));
+    }
+    if (largest < 1e-3 || largest >= 1e6 || largest > most_decades * smallest) {
+        return std::nullopt;
+    }
+    const int most = std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(largest))));
+    int needed = 0;
+    for (const double value : values) {
+        if (!std::isfinite(value)) {
+            continue;
+        }
+        std::string text = fmt::format("{:.{}f}", value, most);
+        drop_trailing_zeros(text);
+        const std::size_t point = text.find('.');
+        if (point != std::string::npos) {
+            needed = std::max(needed, static_cast<int>(text.size() - point) - 1);
+        }
+    }
+    return needed;
+}
+
+std::string with_decimals(double value, int decimals) {
+    if (!std::isfinite(value)) {
+        return "\u2013";
+    }
+    const std::string text = fmt::format("{:.{}f}", std::abs(value), decimals);
+    const bool is_zero = text.find_first_not_of("0.") == std::string::npos;
+    return value < 0.0 && !is_zero ? fmt::format("{}{}", minus_sign, text) : text;
+}
+
 std::string relative_text(double fraction, int digits) {
-    if (!std::isfinite(fraction)) { return "\u2013"; }
-    if (fraction == 0.0) { return "0"; }
-    if (std::abs(fraction) < 1e-5) { return significant(fraction, digits); }
+    if (!std::isfinite(fraction)) {
+        return "\u2013";
+    }
+    if (fraction == 0.0) {
+        return "0";
+    }
+    if (std::abs(fraction) < 1e-5) {
+        return significant(fraction, digits);
+    }
     return significant(100.0 * fraction, digits) + "\u00a0%";
 }
 
@@ -87,7 +152,9 @@ DisplayUnit display_unit(std::string_view si_unit, double largest) {
             name += c;
         }
     }
-    if (si_unit == "1" || si_unit.empty()) { return {1.0, ""}; }
+    if (si_unit == "1" || si_unit.empty()) {
+        return {1.0, ""};
+    }
     const bool length = si_unit == "m";
     const bool takes_prefix = si_unit.starts_with("Pa") || si_unit.starts_with("N") ||
                               si_unit == "s" || length || si_unit == "m/s";
@@ -106,7 +173,9 @@ DisplayUnit display_unit(std::string_view si_unit, double largest) {
     }
     // 0.9995 and 1 are shown alike, so the step to the next prefix leaves room for rounding.
     constexpr double rounding = 1.0 + 1e-9;
-    if (length && size * rounding >= 1e-4 && size < 1.0) { return {1e3, "mm"}; }
+    if (length && size * rounding >= 1e-4 && size < 1.0) {
+        return {1e3, "mm"};
+    }
     struct Prefix {
         double per_si;
         std::string_view letter;
@@ -132,11 +201,6 @@ std::string quantity_text(double value, std::string_view si_unit, int digits) {
     const DisplayUnit unit = display_unit(si_unit, value);
     const std::string number = significant(value * unit.per_si, digits);
     return unit.name.empty() ? number : number + "\u00a0" + unit.name;
-}
-
-RichText unit_text(std::string_view si_unit) {
-    const DisplayUnit unit = display_unit(si_unit, 0.0);
-    return RichText{unit.name};
 }
 
 } // namespace searle::rheometry::report

@@ -3,6 +3,7 @@
 #include "rheometry/report/plot_axes.hpp"
 #include "rheometry/report/plot_legend.hpp"
 #include "rheometry/report/plot_series.hpp"
+#include "rheometry/report/rich_text.hpp"
 #include "rheometry/report/svg_path.hpp"
 #include "rheometry/report/svg_style.hpp"
 
@@ -26,8 +27,11 @@ int fitting_ticks(const AxisMap& x, double width) {
     int most = 8;
     while (most > 3) {
         const TickMarks ticks = x.ticks(most);
-        const double room = width / static_cast<double>(std::max<std::size_t>(1, ticks.major.size()));
-        if (widest_label(ticks) + 12.0 <= room) { break; }
+        const double room =
+            width / static_cast<double>(std::max<std::size_t>(1, ticks.major.size()));
+        if (widest_label(ticks) + 12.0 <= room) {
+            break;
+        }
         --most;
     }
     return most;
@@ -35,12 +39,16 @@ int fitting_ticks(const AxisMap& x, double width) {
 
 void draw_bands(std::string& out, const Plot& plot, const PlotArea& area, const AxisMap& x) {
     for (const Band& band : plot.bands) {
-        if (band.kind >= plot.band_kinds.size()) { continue; }
+        if (band.kind >= plot.band_kinds.size()) {
+            continue;
+        }
         const double from = x.can_show(band.from) ? x.at(band.from) : area.left;
         const double to = x.can_show(band.to) ? x.at(band.to) : area.left;
         const double left = std::clamp(std::min(from, to), area.left, area.right);
         const double right = std::clamp(std::max(from, to), area.left, area.right);
-        if (!(right > left)) { continue; }
+        if (!(right > left)) {
+            continue;
+        }
         draw_shade(out, plot, plot.band_kinds[band.kind], {left, area.top}, right - left,
                    area.bottom - area.top);
     }
@@ -101,7 +109,9 @@ DrawnPlot draw_with(const Plot& plot, bool is_file) {
     draw_grid(out, area, x, y, x_ticks, y_ticks);
     draw_axes(out, plot, area, x, y, x_ticks, y_ticks);
     out += "<g clip-path=\"url(#" + plot.id + "-area)\">";
-    for (const Series& series : plot.series) { draw_series_line(out, series, x, y); }
+    for (const Series& series : plot.series) {
+        draw_series_line(out, series, x, y);
+    }
     out += "</g>";
     for (const Series& series : plot.series) {
         const SeriesOutcome outcome = draw_series_points(out, series, x, y);

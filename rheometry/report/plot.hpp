@@ -3,6 +3,7 @@
 #include "rheometry/report/rich_text.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,15 +32,21 @@ struct Series {
     RichText name; ///< for the legend; empty: not in the legend
     std::vector<double> x;
     std::vector<double> y;
-    std::vector<double> error;           ///< half-lengths of the error bars; empty: none
-    std::vector<std::string> tips;       ///< plain text shown when pointing at a marker; empty: none
-    int colour = 0;                      ///< 0 ... series_colour_count - 1
+    std::vector<double> error; ///< half-lengths of the error bars; empty: none
+    /// Plain text shown when pointing at marker k; asked for the drawn ones only. Empty: none.
+    std::function<std::string(std::size_t)> tip;
+    int colour = 0; ///< 0 ... series_colour_count - 1
     Marker marker = Marker::none;
     bool open_marker = false;
+    double marker_spacing =
+        0.0; ///< least distance of drawn markers, pixels; 0: as many as can be seen
     Stroke stroke = Stroke::none;
+    std::size_t most_line_points = 1500; ///< a longer line is drawn through a choice of its points
+    std::string line_tip;                ///< plain text shown when pointing at the line
     bool thin = false;
-    bool shows_direction = false; ///< arrows along the line
-    bool sets_range = true;       ///< false: cut at the axes that the others need
+    bool shows_direction = false;   ///< arrows along the line
+    bool reports_error_bars = true; ///< false: not part of DrawnPlot::longest_error_bar
+    bool sets_range = true;         ///< false: cut at the axes that the others need
 };
 
 /// A stretch of the x axis with a shade.
@@ -55,8 +62,8 @@ struct BandKind {
 };
 
 struct Plot {
-    std::string id; ///< unique within a page: letters, digits, hyphens
-    std::string title; ///< what a screen reader says
+    std::string id;     ///< unique within a page: letters, digits, hyphens
+    std::string title;  ///< what a screen reader says
     std::string letter; ///< "a" for panel (a); empty: none
     Axis x;
     Axis y;

@@ -1,8 +1,13 @@
 #include "rheometry/report/plot_axes.hpp"
 
+#include "rheometry/report/rich_text.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace searle::rheometry::report {
 
@@ -18,10 +23,11 @@ bool AxisMap::can_show(double value) const {
 }
 
 double AxisMap::at(double value) const {
-    if (!can_show(value)) { return std::numeric_limits<double>::quiet_NaN(); }
-    const double share = scale_ == Scale::linear
-                             ? (value - low_) / (high_ - low_)
-                             : std::log(value / low_) / std::log(high_ / low_);
+    if (!can_show(value)) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    const double share = scale_ == Scale::linear ? (value - low_) / (high_ - low_)
+                                                 : std::log(value / low_) / std::log(high_ / low_);
     return low_pixel_ + share * (high_pixel_ - low_pixel_);
 }
 
@@ -47,6 +53,21 @@ struct Extent {
 constexpr double largest_drawable = 1e150;
 constexpr double smallest_positive = 1e-150;
 
+// A stress that passes through zero leaves a few points decades below all others, which would
+// squeeze these into a strip: up to a twentieth of the points are cut off below a jump of a
+// factor 30.
+std::vector<double> without_stragglers(std::vector<double> values) {
+    constexpr double jump = 30.0;
+    std::sort(values.begin(), values.end());
+    for (std::size_t k = values.size() / 20; k > 0; --k) {
+        if (values[k] > jump * values[k - 1]) {
+            values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(k));
+            break;
+        }
+    }
+    return values;
+}
+
 Extent data_extent(const Plot& plot, Direction direction) {
     const bool logarithmic =
         (direction == Direction::x ? plot.x : plot.y).scale == Scale::logarithmic;
@@ -55,22 +76,44 @@ Extent data_extent(const Plot& plot, Direction direction) {
                (axis.scale == Scale::linear || value > smallest_positive);
     };
     Extent extent;
+    std::vector<double> marked;
     for (const Series& series : plot.series) {
-        if (!series.sets_range) { continue; }
+        if (!series.sets_range) {
+            continue;
+        }
         for (std::size_t k = 0; k < std::min(series.x.size(), series.y.size()); ++k) {
-            if (!can_show(plot.x, series.x[k]) || !can_show(plot.y, series.y[k])) { continue; }
-            if (direction == Direction::x) {
-                extent.include(series.x[k]);
+            if (!can_show(plot.x, series.x[k]) || !can_show(plot.y, series.y[k])) {
                 continue;
             }
-            extent.include(series.y[k]);
+            const double value = direction == Direction::x ? series.x[k] : series.y[k];
+            if (logarithmic && series.marker != Marker::none) {
+                marked.push_back(value);
+            } else {
+                extent.include(value);
+            }
+            if (direction == Direction::x) {
+                continue;
+            }
             const double error = k < series.error.size() ? series.error[k] : 0.0;
-            if (!std::isfinite(error) || error <= 0.0) { continue; }
-            extent.include(series.y[k] + error);
+            if (!std::isfinite(error) || error <= 0.0) {
+                continue;
+            }
+            if (logarithmic) {
+                marked.push_back(series.y[k] + error);
+            } else {
+                extent.include(series.y[k] + error);
+            }
             // A bar that reaches zero would stretch a logarithmic axis without end.
             const double lower = series.y[k] - error;
-            if (!logarithmic || lower > 0.2 * series.y[k]) { extent.include(lower); }
+            if (!logarithmic) {
+                extent.include(lower);
+            } else if (lower > 0.2 * series.y[k]) {
+                marked.push_back(lower);
+            }
         }
+    }
+    for (const double value : without_stragglers(std::move(marked))) {
+        extent.include(value);
     }
     return extent;
 }
@@ -82,7 +125,9 @@ void widen_to(Extent& extent, double span) {
 }
 
 AxisMap linear_axis(const Axis& axis, Extent extent) {
-    if (extent.empty()) { extent = {0.0, 1.0}; }
+    if (extent.empty()) {
+        extent = {0.0, 1.0};
+    }
     const double size = std::max(std::abs(extent.low), std::abs(extent.high));
     if (size == 0.0) {
         extent = {0.0, 1.0};
@@ -93,15 +138,21 @@ AxisMap linear_axis(const Axis& axis, Extent extent) {
     const double margin = 0.045 * span;
     double low = extent.low - margin;
     double high = extent.high + margin;
-    if (extent.low >= 0.0 && extent.low <= axis.reach_for_zero * span) { low = 0.0; }
-    if (extent.high <= 0.0 && -extent.high <= axis.reach_for_zero * span) { high = 0.0; }
+    if (extent.low >= 0.0 && extent.low <= axis.reach_for_zero * span) {
+        low = 0.0;
+    }
+    if (extent.high <= 0.0 && -extent.high <= axis.reach_for_zero * span) {
+        high = 0.0;
+    }
     low = axis.low.value_or(low);
     high = axis.high.value_or(high);
     return high > low ? AxisMap{axis.scale, low, high} : AxisMap{axis.scale, low, low + 1.0};
 }
 
 AxisMap logarithmic_axis(const Axis& axis, Extent extent) {
-    if (extent.empty()) { extent = {1.0, 10.0}; }
+    if (extent.empty()) {
+        extent = {1.0, 10.0};
+    }
     const double least_ratio = 1.0 + std::max(axis.least_relative_span, 1e-3);
     if (extent.high / extent.low < least_ratio) {
         const double centre = std::sqrt(extent.low) * std::sqrt(extent.high);
@@ -117,7 +168,9 @@ AxisMap logarithmic_axis(const Axis& axis, Extent extent) {
 void draw_text(std::string& out, Pixel at, std::string_view anchor, std::string_view css_class,
                const RichText& text, double font) {
     out += "<text";
-    if (!css_class.empty()) { attribute(out, "class", css_class); }
+    if (!css_class.empty()) {
+        attribute(out, "class", css_class);
+    }
     attribute(out, "x", at.x);
     attribute(out, "y", at.y);
     attribute(out, "text-anchor", anchor);
@@ -192,14 +245,18 @@ void draw_axes(std::string& out, const Plot& plot, const PlotArea& area, const A
     for (const Tick& tick : x_ticks.major) {
         const double half = 0.5 * tick.label.width(tick_font);
         const double at = x.at(tick.value);
-        if (tick.label.empty() || at - half < free_from) { continue; }
+        if (tick.label.empty() || at - half < free_from) {
+            continue;
+        }
         draw_text(out, {at, area.bottom + 18.0}, "middle", "", tick.label, tick_font);
         free_from = at + half + 6.0;
     }
     double free_below = 1e9;
     for (const Tick& tick : y_ticks.major) {
         const double at = y.at(tick.value);
-        if (tick.label.empty() || at + 7.0 > free_below) { continue; }
+        if (tick.label.empty() || at + 7.0 > free_below) {
+            continue;
+        }
         draw_text(out, {area.left - 7.0, at + 4.3}, "end", "", tick.label, tick_font);
         free_below = at - 7.0;
     }

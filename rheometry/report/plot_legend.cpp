@@ -2,6 +2,7 @@
 
 #include "rheometry/report/plot_axes.hpp"
 #include "rheometry/report/plot_series.hpp"
+#include "rheometry/report/rich_text.hpp"
 
 #include <algorithm>
 
@@ -29,7 +30,9 @@ Legend::Legend(const Plot& plot, double width) {
         entries_.push_back(std::move(entry));
     };
     for (const Series& series : plot.series) {
-        if (!series.name.empty()) { add(series.name, series.name.plain(), &series, 0); }
+        if (!series.name.empty()) {
+            add(series.name, series.name.plain(), &series, 0);
+        }
     }
     for (std::size_t kind = 0; kind < plot.band_kinds.size(); ++kind) {
         const std::string& name = plot.band_kinds[kind].name;
@@ -46,7 +49,9 @@ Legend::Legend(const Plot& plot, double width) {
         entry.row = rows_;
         x += taken + entry_space;
     }
-    if (!entries_.empty()) { ++rows_; }
+    if (!entries_.empty()) {
+        ++rows_;
+    }
 }
 
 double Legend::height() const { return rows_ * row_height; }
@@ -70,7 +75,9 @@ void Legend::draw(std::string& out, const Plot& plot, Pixel corner) const {
         attribute(out, "y", middle + 4.2);
         out += '>';
         const bool cut = entry.name.plain() != entry.full_name;
-        if (cut) { out += "<title>" + entry.full_name + "</title>"; }
+        if (cut) {
+            out += "<title>" + entry.full_name + "</title>";
+        }
         out += entry.name.svg(font);
         out += "</text>";
     }
@@ -86,17 +93,21 @@ void define_hatches(std::string& out, const Plot& plot) {
     constexpr int spacing[] = {8, 8, 7, 8, 8, 9};
     for (const BandKind& kind : plot.band_kinds) {
         const auto shade = static_cast<std::size_t>(std::clamp(kind.shade, 0, 5));
-        if (shade == 0) { continue; }
+        if (shade == 0) {
+            continue;
+        }
         const std::string pitch = std::to_string(spacing[shade]);
-        out += "<pattern id=\"" + hatch_id(plot, kind.shade) + "\" width=\"" + pitch + "\" height=\"" +
-               pitch + "\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(" +
+        out += "<pattern id=\"" + hatch_id(plot, kind.shade) + "\" width=\"" + pitch +
+               "\" height=\"" + pitch +
+               "\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(" +
                std::to_string(angle[shade]) + ")\"><line class=\"hatch hatch-" +
-               std::to_string(shade) + "\" x1=\"0\" y1=\"0\" x2=\"" + pitch + "\" y2=\"0\"/></pattern>";
+               std::to_string(shade) + "\" x1=\"0\" y1=\"0\" x2=\"" + pitch +
+               "\" y2=\"0\"/></pattern>";
     }
 }
 
-void draw_shade(std::string& out, const Plot& plot, const BandKind& kind, Pixel corner, double width,
-                double height) {
+void draw_shade(std::string& out, const Plot& plot, const BandKind& kind, Pixel corner,
+                double width, double height) {
     const auto rectangle = [&](std::string_view paint_name, std::string_view paint) {
         out += "<rect";
         attribute(out, paint_name, paint);
@@ -107,7 +118,9 @@ void draw_shade(std::string& out, const Plot& plot, const BandKind& kind, Pixel 
         out += "/>";
     };
     rectangle("class", "tint-" + std::to_string(std::clamp(kind.shade, 0, 5)));
-    if (kind.shade > 0) { rectangle("fill", "url(#" + hatch_id(plot, kind.shade) + ")"); }
+    if (kind.shade > 0) {
+        rectangle("fill", "url(#" + hatch_id(plot, kind.shade) + ")");
+    }
 }
 
 } // namespace searle::rheometry::report

@@ -38,7 +38,7 @@ private:
 void define_hatches(std::string& out, const Plot& plot);
 
 /// A rectangle with the shade and the hatch of a band kind.
-void draw_shade(std::string& out, const Plot& plot, const BandKind& kind, Pixel corner, double width,
-                double height);
+void draw_shade(std::string& out, const Plot& plot, const BandKind& kind, Pixel corner,
+                double width, double height);
 
 } // namespace searle::rheometry::report

@@ -31,6 +31,9 @@ struct QuantityLook {
 /// |stress_error / shear_stress|; NaN at zero stress.
 [[nodiscard]] double relative_error(const RheogramPoint& point);
 
+/// The largest finite relative_error of the points; NaN when there is none.
+[[nodiscard]] double largest_relative_error(const Rheogram& rheogram);
+
 /// Largest finite |value| of a column, SI; 0 when there is none.
 [[nodiscard]] double largest_value(const Rheogram& rheogram, Quantity quantity);
 

@@ -39,14 +39,18 @@ std::vector<std::string> regime_names(std::string_view regime) {
     std::vector<std::string> names;
     while (!regime.empty()) {
         const std::size_t end = std::min(regime.find('+'), regime.size());
-        if (end > 0) { names.emplace_back(regime.substr(0, end)); }
+        if (end > 0) {
+            names.emplace_back(regime.substr(0, end));
+        }
         regime.remove_prefix(std::min(end + 1, regime.size()));
     }
     return names;
 }
 
 std::string regime_label(std::string_view name) {
-    if (const KnownRegime* known = find_known(name)) { return std::string{known->label}; }
+    if (const KnownRegime* known = find_known(name)) {
+        return std::string{known->label};
+    }
     std::string label{name};
     std::replace(label.begin(), label.end(), '-', ' ');
     return label;
@@ -56,7 +60,9 @@ RegimeShading shade_regimes(std::span<const RheogramPoint> points, std::span<con
     const std::size_t count = std::min(points.size(), x.size());
     std::vector<std::size_t> order;
     for (std::size_t k = 0; k < count; ++k) {
-        if (std::isfinite(x[k])) { order.push_back(k); }
+        if (std::isfinite(x[k])) {
+            order.push_back(k);
+        }
     }
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return x[a] < x[b]; });
@@ -64,11 +70,15 @@ RegimeShading shade_regimes(std::span<const RheogramPoint> points, std::span<con
     std::vector<std::string> names;
     std::string_view last_regime;
     for (const std::size_t k : order) {
-        if (points[k].regime == last_regime) { continue; }
+        if (points[k].regime == last_regime) {
+            continue;
+        }
         last_regime = points[k].regime;
         for (const std::string& name : regime_names(last_regime)) {
             const bool seen = std::find(names.begin(), names.end(), name) != names.end();
-            if (name != "laminar" && !seen) { names.push_back(name); }
+            if (name != "laminar" && !seen) {
+                names.push_back(name);
+            }
         }
     }
 
@@ -84,8 +94,12 @@ RegimeShading shade_regimes(std::span<const RheogramPoint> points, std::span<con
                 continue;
             }
             std::size_t after = first;
-            while (after < order.size() && holds(points[order[after]], name)) { ++after; }
-            const auto between = [&](std::size_t k) { return 0.5 * (x[order[k - 1]] + x[order[k]]); };
+            while (after < order.size() && holds(points[order[after]], name)) {
+                ++after;
+            }
+            const auto between = [&](std::size_t k) {
+                return 0.5 * (x[order[k - 1]] + x[order[k]]);
+            };
             shading.bands.push_back({first == 0 ? -beyond_every_axis : between(first),
                                      after == order.size() ? beyond_every_axis : between(after),
                                      kind});
@@ -100,7 +114,9 @@ bool passes_rates_twice(const Rheogram& rheogram) {
     bool falls = false;
     double last = std::nan("");
     for (const RheogramPoint& point : rheogram.points) {
-        if (!std::isfinite(point.shear_rate)) { continue; }
+        if (!std::isfinite(point.shear_rate)) {
+            continue;
+        }
         rises = rises || point.shear_rate > last;
         falls = falls || point.shear_rate < last;
         last = point.shear_rate;

@@ -22,8 +22,8 @@ struct RegimeShading {
 };
 
 /// Bands over the stretches of x in which a regime other than "laminar" holds, one kind a regime.
-/// `x` has a number a point, in the points' order; only meaningful when x is monotone along the points.
-/// Bands meet half-way between points.
+/// `x` has a number a point, in the points' order; only meaningful when x is monotone along the
+/// points. Bands meet half-way between points.
 [[nodiscard]] RegimeShading shade_regimes(std::span<const RheogramPoint> points,
                                           std::span<const double> x);
 

@@ -22,35 +22,76 @@ struct CodePoint {
 CodePoint decode(std::string_view text, std::size_t at) {
     const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[at + k]); };
     const unsigned char lead = byte(0);
-    if (lead < 0x80) { return {lead, 1, lead >= 0x20 && lead != 0x7f}; }
+    if (lead < 0x80) {
+        return {lead, 1, lead >= 0x20 && lead != 0x7f};
+    }
     const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
-    if (lead < 0xc2 || lead > 0xf4 || at + length > text.size()) { return {}; }
+    if (lead < 0xc2 || lead > 0xf4 || at + length > text.size()) {
+        return {};
+    }
     char32_t value = lead & (0xffu >> (length + 1));
     for (std::size_t k = 1; k < length; ++k) {
-        if ((byte(k) & 0xc0) != 0x80) { return {}; }
+        if ((byte(k) & 0xc0) != 0x80) {
+            return {};
+        }
         value = (value << 6) | (byte(k) & 0x3fu);
     }
     constexpr char32_t smallest[] = {0, 0, 0x80, 0x800, 0x10000};
     const bool surrogate = value >= 0xd800 && value <= 0xdfff;
     const bool forbidden = surrogate || value == 0xfffe || value == 0xffff || value > 0x10ffff ||
                            value < smallest[length] || (value >= 0x80 && value < 0xa0);
-    if (forbidden) { return {}; }
+    if (forbidden) {
+        return {};
+    }
     return {value, length, true};
 }
 
 // Widths in units of the font size: the wider of Helvetica's and DejaVu Sans' for each class.
 double advance(char32_t c) {
-    if (c >= 0x300 && c < 0x370) { return 0.0; } // combining marks
-    if (c >= '0' && c <= '9') { return 0.636; }
+    if (c >= 0x300 && c < 0x370) {
+        return 0.0;
+    } // combining marks
+    if (c >= '0' && c <= '9') {
+        return 0.636;
+    }
     switch (c) {
-    case ' ': case '.': case ',': case ':': case ';': case 'i': case 'j': case 'l': case '|':
-    case '\'': case 'I': case 0x2009: case 0x202f:
+    case ' ':
+    case '.':
+    case ',':
+    case ':':
+    case ';':
+    case 'i':
+    case 'j':
+    case 'l':
+    case '|':
+    case '\'':
+    case 'I':
+    case 0x2009:
+    case 0x202f:
         return 0.318;
-    case 'f': case 't': case 'r': case '(': case ')': case '/': case '-': case '[': case ']':
+    case 'f':
+    case 't':
+    case 'r':
+    case '(':
+    case ')':
+    case '/':
+    case '-':
+    case '[':
+    case ']':
         return 0.4;
-    case 'm': case 'w': case 'M': case 'W': case '%':
+    case 'm':
+    case 'w':
+    case 'M':
+    case 'W':
+    case '%':
         return 0.96;
-    case '+': case '=': case '<': case '>': case 0xb1: case 0xd7: case 0x2212:
+    case '+':
+    case '=':
+    case '<':
+    case '>':
+    case 0xb1:
+    case 0xd7:
+    case 0x2212:
         return 0.838;
     default:
         return c >= 0x2e80 ? 1.0 : (c >= 'A' && c <= 'Z' ? 0.71 : 0.6);
@@ -73,12 +114,23 @@ std::string escaped(std::string_view text) {
             }
         } else {
             switch (c) {
-            case '&': out += "&amp;"; break;
-            case '<': out += "&lt;"; break;
-            case '>': out += "&gt;"; break;
-            case '"': out += "&quot;"; break;
-            case '\'': out += "&#39;"; break;
-            default: out += text.substr(at, point.length);
+            case '&':
+                out += "&amp;";
+                break;
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            case '\'':
+                out += "&#39;";
+                break;
+            default:
+                out += text.substr(at, point.length);
             }
         }
         at += point.length;
@@ -97,7 +149,9 @@ double text_width(std::string_view text, double font_size) {
 }
 
 RichText& RichText::add(std::string_view text, Style style) {
-    if (text.empty()) { return *this; }
+    if (text.empty()) {
+        return *this;
+    }
     if (!runs_.empty() && runs_.back().style == style) {
         runs_.back().text += text;
     } else {
@@ -107,22 +161,10 @@ RichText& RichText::add(std::string_view text, Style style) {
 }
 
 RichText& RichText::append(const RichText& other) {
-    for (const Run& run : std::vector<Run>{other.runs_}) { add(run.text, run.style); }
-    return *this;
-}
-
-std::string RichText::html() const {
-    std::string out;
-    for (const Run& run : runs_) {
-        const std::string text = escaped(run.text);
-        switch (run.style) {
-        case Style::upright: out += text; break;
-        case Style::italic: out += "<i>" + text + "</i>"; break;
-        case Style::superscript: out += "<sup>" + text + "</sup>"; break;
-        case Style::subscript: out += "<sub>" + text + "</sub>"; break;
-        }
+    for (const Run& run : std::vector<Run>{other.runs_}) {
+        add(run.text, run.style);
     }
-    return out;
+    return *this;
 }
 
 std::string RichText::svg(double font_size) const {
@@ -140,9 +182,15 @@ std::string RichText::svg(double font_size) const {
             continue;
         }
         out += "<tspan";
-        if (move != 0.0) { out += " dy=\"" + pixels(move) + "\""; }
-        if (index) { out += " font-size=\"" + pixels(index_size * font_size) + "px\""; }
-        if (run.style == Style::italic) { out += " font-style=\"italic\""; }
+        if (move != 0.0) {
+            out += " dy=\"" + pixels(move) + "\"";
+        }
+        if (index) {
+            out += " font-size=\"" + pixels(index_size * font_size) + "px\"";
+        }
+        if (run.style == Style::italic) {
+            out += " font-style=\"italic\"";
+        }
         out += ">" + escaped(run.text) + "</tspan>";
     }
     return out;
@@ -151,8 +199,12 @@ std::string RichText::svg(double font_size) const {
 std::string RichText::plain() const {
     std::string out;
     for (const Run& run : runs_) {
-        if (run.style == Style::superscript) { out += "^"; }
-        if (run.style == Style::subscript) { out += "_"; }
+        if (run.style == Style::superscript) {
+            out += "^";
+        }
+        if (run.style == Style::subscript) {
+            out += "_";
+        }
         out += escaped(run.text);
     }
     return out;
@@ -168,7 +220,9 @@ double RichText::width(double font_size) const {
 }
 
 RichText RichText::shortened(double limit, double font_size) const {
-    if (width(font_size) <= limit) { return *this; }
+    if (width(font_size) <= limit) {
+        return *this;
+    }
     const double room = limit - text_width("\u2026", font_size);
     RichText out;
     double used = 0.0;
@@ -178,7 +232,9 @@ RichText RichText::shortened(double limit, double font_size) const {
         for (std::size_t at = 0; at < run.text.size();) {
             const CodePoint point = decode(run.text, at);
             const double step = advance(point.value) * size;
-            if (used + step > room) { return out.upright("\u2026"); }
+            if (used + step > room) {
+                return out.upright("\u2026");
+            }
             out.add(std::string_view{run.text}.substr(at, point.length), run.style);
             used += step;
             at += point.length;

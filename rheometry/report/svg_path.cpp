@@ -20,10 +20,14 @@ void append_pixels(std::string& out, double value) {
     const auto end = std::to_chars(digits, digits + sizeof digits, hundredths / 100).ptr;
     out.append(digits, end);
     const long rest = hundredths % 100;
-    if (rest == 0) { return; }
+    if (rest == 0) {
+        return;
+    }
     out += '.';
     out += static_cast<char>('0' + rest / 10);
-    if (rest % 10 != 0) { out += static_cast<char>('0' + rest % 10); }
+    if (rest % 10 != 0) {
+        out += static_cast<char>('0' + rest % 10);
+    }
 }
 
 } // namespace
@@ -75,7 +79,9 @@ std::string path_through(std::span<const Pixel> points, bool closed) {
         append_pixels(out, point.y);
         pen_down = true;
     }
-    if (closed && !out.empty()) { out += 'Z'; }
+    if (closed && !out.empty()) {
+        out += 'Z';
+    }
     return out;
 }
 

@@ -12,8 +12,8 @@ struct Pixel {
     double y{};
 };
 
-/// A length for an SVG attribute, to 1/100 pixel. Anything not finite becomes 0 and anything huge is
-/// cut, so that a drawing is well-formed whatever it is made from.
+/// A length for an SVG attribute, to 1/100 pixel. Anything not finite becomes 0 and anything huge
+/// is cut, so that a drawing is well-formed whatever it is made from.
 [[nodiscard]] std::string pixels(double value);
 
 /// Appends ` name="value"`.

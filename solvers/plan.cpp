@@ -1,0 +1,151 @@
+#include "solvers/plan.hpp"
+
+#include "solvers/plan_cost.hpp"
+#include "solvers/plan_forecast.hpp"
+#include "solvers/plan_items.hpp"
+#include "solvers/plan_rows.hpp"
+#include "solvers/plan_text.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace searle::solvers {
+namespace {
+
+struct Choice {
+    std::string model;
+    std::string reason;
+    bool can_be_solved = true;
+    bool is_radial = true;
+};
+
+/// Inertia may be left out only when an upper estimate of it is far below what was asked for.
+bool needs_inertia(const Scene& scene, const Forecast& forecast) {
+    if (forecast.steady_series) {
+        return false;
+    }
+    constexpr double margin = 100.0;
+    return std::any_of(forecast.facts.begin(), forecast.facts.end(), [&](const RowFacts& facts) {
+        return margin * facts.largest_lag > scene.solver.accuracy;
+    });
+}
+
+std::string why_radial(const Scene& scene) {
+    struct Reason {
+        std::string operator()(const geometry::ConcentricCylinders&) const {
+            return "Between endless cylinders the velocity depends on the radius alone";
+        }
+        std::string operator()(const geometry::DoubleGap&) const {
+            return "The two gaps share nothing but the rotor's speed, and between endless "
+                   "cylinders the velocity depends on the radius alone";
+        }
+        std::string operator()(const geometry::Box&) const {
+            return "Between endless plates the velocity depends on the distance from the wall "
+                   "alone (the planar limit of the radial model)";
+        }
+        std::string operator()(const geometry::DinBob&) const {
+            return "The case asks for the radial model: an endless bob, the ends through c_L alone";
+        }
+    };
+    return std::visit(Reason{}, scene.instrument);
+}
+
+std::string why_transient(const Scene& scene, const Forecast& forecast, bool transient) {
+    if (forecast.steady_series) {
+        return "every row is held until steady";
+    }
+    double largest = 0.0;
+    for (const RowFacts& facts : forecast.facts) {
+        largest = std::max(largest, facts.largest_lag);
+    }
+    return transient
+               ? fmt::format("inertia is up to {} of the stress, more than a hundredth of the "
+                             "asked {}, so time is solved for",
+                             percent(largest), percent(scene.solver.accuracy))
+               : fmt::format("inertia stays below {} of the stress, a hundredth of the asked "
+                             "{}, so each row is a steady flow",
+                             percent(scene.solver.accuracy / 100.0),
+                             percent(scene.solver.accuracy));
+}
+
+Choice choose(const Scene& scene, const Forecast& forecast, bool transient) {
+    const Model asked = scene.solver.model;
+    if (scene.solver.engine == Engine::openfoam) {
+        return {
+            "openfoam",
+            fmt::format("solver.engine = \"openfoam\": this version cannot drive OpenFOAM yet.{}",
+                        is_din_bob(scene)
+                            ? ""
+                            : " engine = \"native\" solves this scene with the radial model."),
+            false, false};
+    }
+    if (asked == Model::axisymmetric || asked == Model::three_dimensional) {
+        const char* name = asked == Model::axisymmetric ? "axisymmetric" : "3d";
+        return {name,
+                fmt::format("solver.model = \"{0}\": this version has no {0} model yet.{1}", name,
+                            is_din_bob(scene) ? " model = \"radial\" takes the bob as endless."
+                                              : " model = \"auto\" solves this scene with the "
+                                                "radial model."),
+                false, false};
+    }
+    if (forecast.conversion.end_factor_provisional) {
+        return {
+            "axisymmetric",
+            "conversion.end_factor = \"computed\" needs the flow around the bob's ends, which "
+            "this version cannot solve yet; a number (the default is 1.10 for the DIN bob) works.",
+            false, false};
+    }
+    if (is_din_bob(scene) && asked == Model::automatic) {
+        return {"axisymmetric",
+                "The flow around a DIN bob's ends depends on r and z, and this version has no "
+                "axisymmetric model yet; model = \"radial\" takes the bob as endless and the ends "
+                "through c_L.",
+                false, false};
+    }
+    return {transient ? "radial transient" : "radial steady",
+            fmt::format("{}; {}.", why_radial(scene), why_transient(scene, forecast, transient)),
+            true, true};
+}
+
+std::vector<std::string> choice_warnings(const Scene& scene, const Choice& choice) {
+    std::vector<std::string> warnings;
+    if (choice.is_radial && is_din_bob(scene)) {
+        warnings.emplace_back("The radial model is an explicit choice for this DIN bob: it ignores "
+                              "the flow around cone, top and shaft and its inertia, and takes them "
+                              "as a factor c_L on the endless bob's torque.");
+    }
+    if (choice.is_radial && scene.solver.secondary_flow == Switch::on) {
+        warnings.emplace_back(
+            "secondary_flow = true has no effect: the radial model has no flow in "
+            "r and z.");
+    }
+    return warnings;
+}
+
+} // namespace
+
+Plan make_plan(const Scene& scene) {
+    Forecast forecast = solvers::forecast(scene);
+    Plan plan;
+    plan.transient = needs_inertia(scene, forecast);
+    Choice choice = choose(scene, forecast, plan.transient);
+    plan.can_be_solved = choice.can_be_solved;
+    plan.items =
+        plan_items(scene, forecast, {.radial = choice.is_radial, .transient = plan.transient});
+    plan.warnings = choice_warnings(scene, choice);
+    for (std::string& warning : plan_warnings(scene, forecast)) {
+        plan.warnings.push_back(std::move(warning));
+    }
+    if (choice.is_radial) {
+        const Cost cost = radial_cost(scene, forecast, plan.transient);
+        plan.expected_seconds = cost.seconds;
+        plan.expected_unknowns = cost.unknowns;
+    }
+    plan.model = std::move(choice.model);
+    plan.model_reason = std::move(choice.reason);
+    plan.taylor = std::move(forecast.taylor);
+    plan.rows = std::move(forecast.rows);
+    return plan;
+}
+
+} // namespace searle::solvers

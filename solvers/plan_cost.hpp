@@ -1,0 +1,16 @@
+#pragma once
+
+#include "solvers/plan_forecast.hpp"
+
+namespace searle::solvers {
+
+struct Cost {
+    double seconds{};
+    long unknowns{};
+};
+
+/// What a radial solve will take on one core, from the measured times of such solves: right within
+/// a factor of about five.
+[[nodiscard]] Cost radial_cost(const Scene& scene, const Forecast& forecast, bool transient);
+
+} // namespace searle::solvers

@@ -1,0 +1,154 @@
+#include "solvers/plan_items.hpp"
+
+#include "solvers/plan_rows.hpp"
+#include "solvers/plan_text.hpp"
+
+#include <fmt/format.h>
+
+namespace searle::solvers {
+namespace {
+
+PlanItem inertia_item(const Scene& scene, const Forecast& forecast, bool transient) {
+    if (forecast.steady_series) {
+        return {"inertia", false,
+                fmt::format("Every row is held until the flow is steady; an instrument would need "
+                            "about {:.3g} s for the series.",
+                            forecast.rows.back().time)};
+    }
+    if (!transient) {
+        const std::size_t worst =
+            row_of_largest(forecast, [&](std::size_t i) { return forecast.facts[i].largest_lag; });
+        return {
+            "inertia", false,
+            fmt::format("Its part of the stress is {} at the most (row {}, t = {:.4g} s), less "
+                        "than a hundredth of the asked accuracy of {}: each row is a steady flow.",
+                        percent(forecast.facts[worst].largest_lag), worst + 1,
+                        forecast.rows[worst].time, percent(scene.solver.accuracy))};
+    }
+    const std::size_t worst =
+        row_of_largest(forecast, [&](std::size_t i) { return forecast.rows[i].lag_share; });
+    return {"inertia", true,
+            fmt::format("It is up to {} of the stress (row {}, t = {:.4g} s), and more than the "
+                        "asked accuracy of {} at {}.",
+                        percent(forecast.rows[worst].lag_share), worst + 1,
+                        forecast.rows[worst].time, percent(scene.solver.accuracy),
+                        rows_of(rows_with_lag(scene, forecast), forecast.rows.size()))};
+}
+
+PlanItem ends_item(const Scene& scene, const Forecast& forecast, PlannedModel model) {
+    const double end_factor = forecast.conversion.end_factor;
+    if (is_box(scene)) {
+        return {"ends", false, "The box stands for a part of an endless gap: it has no ends."};
+    }
+    if (is_din_bob(scene) && !model.radial) {
+        return {
+            "ends", true,
+            "Cone, top and shaft carry about a tenth of the torque: c_L is 1.0887 for a Newtonian "
+            "fluid in creeping flow in the standard geometry, up to 1.26 for shear-thinning and "
+            "yield-stress fluids."};
+    }
+    if (is_din_bob(scene)) {
+        return {
+            "ends", false,
+            fmt::format("The torque on cone, top and shaft enters through c_L = {:.5g} alone; a "
+                        "Newtonian fluid in creeping flow has 1.0887 in the standard geometry, "
+                        "shear-thinning and yield-stress fluids up to 1.26.",
+                        end_factor)};
+    }
+    return {
+        "ends", false,
+        fmt::format("The geometry is a slice of an endless gap, {:.3g} gap widths high, and its "
+                    "torque that of the wetted cylinder alone (c_L = {:.5g}).",
+                    slenderness(scene.instrument), end_factor)};
+}
+
+PlanItem secondary_flow_item(const Scene& scene, const Forecast& forecast, PlannedModel model) {
+    if (is_box(scene)) {
+        return {"secondary flow", false, "Plane shear has straight streamlines."};
+    }
+    if (!is_din_bob(scene)) {
+        return {
+            "secondary flow", false,
+            "Without ends nothing drives a flow in r and z below the onset of Taylor vortices."};
+    }
+    const std::size_t worst =
+        row_of_largest(forecast, [&](std::size_t i) { return forecast.facts[i].end_reynolds; });
+    const RowFacts& facts = forecast.facts[worst];
+    const Switch asked = scene.solver.secondary_flow;
+    const bool matters = asked == Switch::on || (asked == Switch::automatic &&
+                                                 facts.end_flow_share > scene.solver.accuracy);
+    return {
+        "secondary flow", !model.radial && matters,
+        fmt::format("The bob's ends drive it with Re = omega R^2 / nu = {:.4g} at the most, "
+                    "worth about {} of the torque (a sphere's inertial correction, Re^2 / 1200, "
+                    "on a tenth of the torque).",
+                    facts.end_reynolds, percent(facts.end_flow_share))};
+}
+
+PlanItem taylor_item(const Forecast& forecast) {
+    if (!forecast.taylor) {
+        const std::size_t worst =
+            row_of_largest(forecast, [&](std::size_t i) { return forecast.facts[i].reynolds; });
+        return {
+            "Taylor vortices", false,
+            fmt::format("Plane shear flow is linearly stable at any speed; U h / nu is {:.4g} at "
+                        "the most.",
+                        forecast.facts[worst].reynolds)};
+    }
+    const TaylorOnset& taylor = *forecast.taylor;
+    const std::size_t above =
+        count_rows(forecast, [&](std::size_t i) { return forecast.rows[i].taylor_ratio > 1.0; });
+    return {"Taylor vortices", false,
+            fmt::format("Re = R omega d / nu reaches {:.4g}, the critical value is {:.6g}; largest "
+                        "Re / Re_c {:.3g}, {} above the onset.",
+                        taylor.reynolds, taylor.critical_reynolds, taylor.largest_ratio,
+                        rows_of(above, forecast.rows.size()))};
+}
+
+PlanItem yield_item(const Scene& scene, const Forecast& forecast) {
+    const double yield = laws::flow::yield_stress(scene.fluid.law);
+    if (!(yield > 0.0)) {
+        return {"yield surface", false,
+                fmt::format("The yield stress of this {} fluid is 0 Pa.",
+                            laws::flow::name_of(scene.fluid.law))};
+    }
+    const std::size_t partly =
+        count_rows(forecast, [&](std::size_t i) { return forecast.facts[i].partly_sheared; });
+    if (partly == 0) {
+        return {
+            "yield surface", true,
+            fmt::format("Exactly, without regularisation; with tau_0 = {:.4g} Pa the steady flow "
+                        "shears all of the gap at every row.",
+                        yield)};
+    }
+    return {"yield surface", true,
+            fmt::format("Exactly, without regularisation; with tau_0 = {:.4g} Pa the steady flow "
+                        "leaves a part of the gap unsheared at {}.",
+                        yield, rows_of(partly, forecast.rows.size()))};
+}
+
+PlanItem mesh_item(PlannedModel model) {
+    if (!model.radial) {
+        return {"mesh", true, "A model of more than 1 dimension needs one, graded to the edges."};
+    }
+    return {
+        "mesh", false,
+        model.transient
+            ? "The flow depends on 1 coordinate: elements across the gap, chosen by the solver's "
+              "error estimate, stand in place of a mesh."
+            : "Steady flow across a gap is one quadrature and one root a row: 0 cells."};
+}
+
+} // namespace
+
+std::vector<PlanItem> plan_items(const Scene& scene, const Forecast& forecast, PlannedModel model) {
+    return {inertia_item(scene, forecast, model.transient),
+            yield_item(scene, forecast),
+            taylor_item(forecast),
+            secondary_flow_item(scene, forecast, model),
+            ends_item(scene, forecast, model),
+            mesh_item(model),
+            {"particles", false, "The case has no particles: a fluid of 0 % solids."}};
+}
+
+} // namespace searle::solvers
