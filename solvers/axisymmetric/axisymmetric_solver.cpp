@@ -39,8 +39,7 @@ rheometry::TorqueRow steady_row(const Scene& scene, const RowForecast& forecast,
 /// Adds what inertia may do to rows that were solved without it.
 void add_lag(const Plan& plan, std::vector<rheometry::TorqueRow>& rows) {
     for (std::size_t k = 0; k < rows.size(); ++k) {
-        rows[k].torque_error +=
-            left_out_margin * plan.rows[k].lag_share * std::abs(rows[k].torque);
+        rows[k].torque_error += left_out_margin * plan.rows[k].lag_share * std::abs(rows[k].torque);
     }
 }
 
@@ -82,8 +81,7 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
         if (ends.solutions() > 0) {
             solution.notes.push_back(fmt::format(
                 "End factor of the creeping flow c_L = {} (computed; {} solution{}).",
-                range_text(report.end_factor), ends.solutions(),
-                ends.solutions() == 1 ? "" : "s"));
+                range_text(report.end_factor), ends.solutions(), ends.solutions() == 1 ? "" : "s"));
         }
     } catch (const Interrupted&) {
         solution.interrupted = true;
@@ -91,13 +89,13 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
         return report;
     }
 
-    const auto schedule =
-        rheometry::schedule(scene.protocol, rheometry::conversion_for(scene.instrument, scene.conversion));
+    const auto schedule = rheometry::schedule(
+        scene.protocol, rheometry::conversion_for(scene.instrument, scene.conversion));
     const auto* newtonian = std::get_if<laws::flow::Newtonian>(&scene.fluid.law);
     if (const auto* history = std::get_if<rheometry::SpeedHistory>(&schedule)) {
         if (plan.transient && newtonian != nullptr) {
-            const TransientSwirl swirl = transient_swirl(bob, newtonian->viscosity,
-                                                         scene.fluid.density, *history, accuracy);
+            const TransientSwirl swirl =
+                transient_swirl(bob, newtonian->viscosity, scene.fluid.density, *history, accuracy);
             for (std::size_t k = 0; k < rows.size(); ++k) {
                 rows[k].torque = swirl.torque[k];
                 rows[k].torque_error = swirl.error[k];

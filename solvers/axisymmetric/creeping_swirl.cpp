@@ -12,9 +12,9 @@
 namespace searle::solvers::axisymmetric {
 namespace {
 
-constexpr double ratio = 0.15;        ///< of neighbouring elements towards an edge
-constexpr double marked_share = 0.7;  ///< of the energy gap, divided at each level
-constexpr int check_points = 3;       ///< more of them for the check of the quadrature
+constexpr double ratio = 0.15;       ///< of neighbouring elements towards an edge
+constexpr double marked_share = 0.7; ///< of the energy gap, divided at each level
+constexpr int check_points = 3;      ///< more of them for the check of the quadrature
 constexpr int highest_degree = 10;
 /// An estimate is believed only where the energy gap is at most this many times the accuracy.
 constexpr double most_gap = 5.0;
@@ -25,8 +25,8 @@ struct Strategy {
     int degree;
     int degree_step;
     int extra_points; ///< of the Gauss rule beyond the degree
-    double smallest;    ///< element next to the rotor, over the gap
-    double rounding;    ///< aimed at on the first level
+    double smallest;  ///< element next to the rotor, over the gap
+    double rounding;  ///< aimed at on the first level
     double rounding_step;
     double least_rounding;
 };
@@ -76,8 +76,7 @@ CreepingTorque creeping_torque(const geometry::DinBob& bob, const laws::flow::An
     const double wall_rate =
         radial::steady_gap_flow({bob.bob_radius, bob.cup_radius}, flow_law, speed).inner_wall_rate;
     const SwirlLaw law(flow_law, speed, wall_rate / speed);
-    const double scale =
-        2.0 * std::numbers::pi * std::pow(bob.bob_radius, 3) * law.stress_scale();
+    const double scale = 2.0 * std::numbers::pi * std::pow(bob.bob_radius, 3) * law.stress_scale();
     const Strategy strategy = strategy_for(law, settings.accuracy);
 
     CreepingTorque result;
@@ -92,8 +91,7 @@ CreepingTorque creeping_torque(const geometry::DinBob& bob, const laws::flow::An
             progress(static_cast<double>(depth) / settings.most_levels,
                      "creeping swirl, level " + std::to_string(depth + 1));
         }
-        const double tolerance =
-            std::clamp(newton_tolerance * settings.accuracy, 1e-13, 1e-7);
+        const double tolerance = std::clamp(newton_tolerance * settings.accuracy, 1e-13, 1e-7);
         while (rounding > 1.001 * target) {
             static_cast<void>(level->minimise(law, rounding, 1e3 * tolerance));
             rounding = std::max(0.1 * rounding, target);
@@ -105,13 +103,13 @@ CreepingTorque creeping_torque(const geometry::DinBob& bob, const laws::flow::An
         result.newton_steps += level->steps();
         result.unknowns = level->unknowns();
         const double middle = law.homogeneity() > 0.0 ? 0.5 * (own.lower + own.upper)
-                                                       : 0.5 * (own.dissipation + own.flux);
+                                                      : 0.5 * (own.dissipation + own.flux);
         const double half_bracket = 0.5 * (own.upper - own.lower);
         const double disagreement = std::max(std::abs(own.dissipation - own.flux),
                                              depth > 0 ? std::abs(middle - before) : middle);
         const double error = std::min(disagreement, half_bracket);
-        const bool may_go_on = depth + 1 < settings.most_levels &&
-                               level->unknowns() <= settings.most_unknowns;
+        const bool may_go_on =
+            depth + 1 < settings.most_levels && level->unknowns() <= settings.most_unknowns;
         const double goal = settings.accuracy * middle;
         if ((settings.certified ? 2.0 * half_bracket : error) <= 0.95 * goal || !may_go_on) {
             const SwirlEnergies fine = level->energies(law, level->points() + check_points);
@@ -136,8 +134,8 @@ CreepingTorque creeping_torque(const geometry::DinBob& bob, const laws::flow::An
         SectionLines finer = refined(level->lines(), level->marks(law, marked_share), ratio);
         const int degree = std::min(level->rotation_space().degree() + strategy.degree_step,
                                     std::max(highest_degree, strategy.degree));
-        auto next =
-            std::make_unique<SwirlLevel>(bob, std::move(finer), degree, degree + strategy.extra_points);
+        auto next = std::make_unique<SwirlLevel>(bob, std::move(finer), degree,
+                                                 degree + strategy.extra_points);
         next->start_from(*level);
         level = std::move(next);
         target = std::max(strategy.rounding_step * target, strategy.least_rounding);

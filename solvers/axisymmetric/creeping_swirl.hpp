@@ -29,13 +29,13 @@ struct CreepingTorque {
     double energy_gap{}; ///< (potential - conjugate) / potential
     bool reached{};      ///< `error`, or the bracket's width, is as small as was asked
     int levels{};
-    int newton_steps{};  ///< over all levels and both fields
-    long unknowns{};     ///< of the finest level, both fields
+    int newton_steps{}; ///< over all levels and both fields
+    long unknowns{};    ///< of the finest level, both fields
 };
 
-/// Solves for the torque at one speed, refining until the accuracy is reached (docs/axisymmetric.md).
-/// No flow law is regularised: rounding of the yield surface is a parameter of the path, and the
-/// energies are the exact law's.
+/// Solves for the torque at one speed, refining until the accuracy is reached
+/// (docs/axisymmetric.md). No flow law is regularised: rounding of the yield surface is a parameter
+/// of the path, and the energies are the exact law's.
 /// @param speed  rad/s, > 0
 /// May throw Interrupted, from `progress`.
 [[nodiscard]] CreepingTorque creeping_torque(const geometry::DinBob& bob,

@@ -61,13 +61,11 @@ EndFactorCurve::EndFactorCurve(const geometry::DinBob& bob, const laws::flow::An
         for (int k = 1; k < degree; k += 2) {
             const double speed = point(k, degree);
             solve(speed);
-            const auto same = std::find_if(solved_.begin(), solved_.end(), [&](const Solved& each) {
-                return each.speed == speed;
-            });
+            const auto same = std::find_if(solved_.begin(), solved_.end(),
+                                           [&](const Solved& each) { return each.speed == speed; });
             interpolation_error_ = std::max(
-                interpolation_error_, std::abs(foreseen[static_cast<std::size_t>(k / 2)] /
-                                                   same->value.end_factor -
-                                               1.0));
+                interpolation_error_,
+                std::abs(foreseen[static_cast<std::size_t>(k / 2)] / same->value.end_factor - 1.0));
         }
         if (interpolation_error_ <= 0.3 * accuracy_) {
             return;
@@ -85,10 +83,10 @@ void EndFactorCurve::solve(double speed) {
                          .relative_error = found.error / found.torque,
                          .lower = found.lower / found.torque * found.end_factor,
                          .upper = found.upper / found.torque * found.end_factor}};
-    solved_.insert(std::upper_bound(
-                       solved_.begin(), solved_.end(), speed,
-                       [](double value, const Solved& each) { return value < each.speed; }),
-                   solved);
+    solved_.insert(
+        std::upper_bound(solved_.begin(), solved_.end(), speed,
+                         [](double value, const Solved& each) { return value < each.speed; }),
+        solved);
     levels_ = std::max(levels_, found.levels);
     newton_steps_ += found.newton_steps;
     unknowns_ = std::max(unknowns_, found.unknowns);
@@ -117,11 +115,11 @@ EndFactorCurve::Value EndFactorCurve::at(double speed) const {
     if (is_homogeneous(law_)) {
         return solved_.front().value;
     }
-    const auto near = std::min_element(
-        solved_.begin(), solved_.end(), [&](const Solved& one, const Solved& other) {
-            return std::abs(std::log(one.speed / magnitude)) <
-                   std::abs(std::log(other.speed / magnitude));
-        });
+    const auto near = std::min_element(solved_.begin(), solved_.end(),
+                                       [&](const Solved& one, const Solved& other) {
+                                           return std::abs(std::log(one.speed / magnitude)) <
+                                                  std::abs(std::log(other.speed / magnitude));
+                                       });
     if (!interpolates_) {
         return near->value;
     }

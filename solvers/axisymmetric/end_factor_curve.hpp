@@ -11,7 +11,7 @@ namespace searle::solvers::axisymmetric {
 /// has one value; others are solved at each speed, or for many speeds at Chebyshev points of ln c_L
 /// over ln speed, whose number is doubled until the curve no longer moves.
 class EndFactorCurve {
-  public:
+public:
     /// @param speeds    rad/s; signs are left out, zeros are skipped
     /// @param accuracy  asked-for relative error of the torque
     EndFactorCurve(const geometry::DinBob& bob, const laws::flow::AnyFlowLaw& law,
@@ -33,7 +33,7 @@ class EndFactorCurve {
     /// False when a solution or the curve is less accurate than was asked.
     [[nodiscard]] bool reached() const { return reached_; }
 
-  private:
+private:
     struct Solved {
         double speed;
         Value value;

@@ -56,8 +56,7 @@ Eigen::MatrixXd next_flux(const EnergyDensity& density, const Eigen::MatrixXd& g
         const Eigen::ArrayXd square = r.square() + z.square();
         density.slopes(square.sqrt(), secant, tangent);
         const Eigen::ArrayXd bend =
-            (square > 0.0)
-                .select((tangent - secant) / (secant * square) * (r * dr + z * dz), 0.0);
+            (square > 0.0).select((tangent - secant) / (secant * square) * (r * dr + z * dz), 0.0);
         const Eigen::ArrayXd flux_r = secant * (r + dr) + bend * flux.col(e).head(points).array();
         const Eigen::ArrayXd flux_z = secant * (z + dz) + bend * flux.col(e).tail(points).array();
 
@@ -69,7 +68,8 @@ Eigen::MatrixXd next_flux(const EnergyDensity& density, const Eigen::MatrixXd& g
         for (Index q = 0; q < points; ++q) {
             const bool softening = tangent[q] < secant[q];
             const double most =
-                softening ? inside * secant[q] * secant[q] * size[q] / (secant[q] - tangent[q]) : 0.0;
+                softening ? inside * secant[q] * secant[q] * size[q] / (secant[q] - tangent[q])
+                          : 0.0;
             const double share = length[q] > most ? most / length[q] : 1.0;
             next(q, e) = softening ? share * flux_r[q] : secant[q] * next_r[q];
             next(points + q, e) = softening ? share * flux_z[q] : secant[q] * next_z[q];
@@ -172,7 +172,8 @@ bool EnergyMinimiser::Work::newton_step(const SectionSpace& space, const EnergyD
         // The part of the tangent along g beyond the even part, with one of the two g replaced by
         // the flux that belongs to it (see next_flux).
         const Eigen::ArrayXd extra =
-            (size > 0.0).select(element.weight * (tangent - secant) / (secant * size.square()), 0.0);
+            (size > 0.0)
+                .select(element.weight * (tangent - secant) / (secant * size.square()), 0.0);
         const auto flux_r = flux.col(static_cast<Index>(e)).head(points).array();
         const auto flux_z = flux.col(static_cast<Index>(e)).tail(points).array();
         const Eigen::ArrayXd rr = even + extra * along_r * flux_r;
@@ -201,8 +202,8 @@ bool EnergyMinimiser::Work::newton_step(const SectionSpace& space, const EnergyD
         const Eigen::VectorXd reduced_residual =
             local.head(outline) - hessian.topRightCorner(outline, inner) * inside_residual[e];
         for (Index j = 0; j < outline; ++j) {
-            const int column =
-                space.shared_unknown()[static_cast<std::size_t>(element.node[static_cast<std::size_t>(j)])];
+            const int column = space.shared_unknown()[static_cast<std::size_t>(
+                element.node[static_cast<std::size_t>(j)])];
             if (column < 0) {
                 continue;
             }
@@ -262,10 +263,9 @@ Minimised EnergyMinimiser::minimise(const EnergyDensity& density, const Eigen::V
             const auto at_z = at.tail(points);
             size = (at_r.square() + at_z.square()).sqrt();
             density.slopes(size, secant, tangent);
-            const Eigen::ArrayXd slopes =
-                elements[e].weight * secant *
-                (at_r * change.col(column).head(points).array() +
-                 at_z * change.col(column).tail(points).array());
+            const Eigen::ArrayXd slopes = elements[e].weight * secant *
+                                          (at_r * change.col(column).head(points).array() +
+                                           at_z * change.col(column).tail(points).array());
             sum.work += (elements[e].weight * secant * size.square()).sum();
             sum.slope += slopes.sum();
         }

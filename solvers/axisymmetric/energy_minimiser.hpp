@@ -9,7 +9,7 @@ namespace searle::solvers::axisymmetric {
 
 /// A convex energy density F(|g|), at many points at once.
 class EnergyDensity {
-  public:
+public:
     virtual ~EnergyDensity() = default;
     /// @param size    |g| >= 0 at each point
     /// @param secant  F'(|g|) / |g|, > 0 and finite
@@ -21,7 +21,7 @@ class EnergyDensity {
 /// What a minimisation did.
 struct Minimised {
     bool converged{};
-    int steps{};      ///< Newton steps, one factorisation each
+    int steps{};        ///< Newton steps, one factorisation each
     double decrement{}; ///< the last step's predicted decrease of the energy, over sum of |g| F'
 };
 
@@ -31,7 +31,7 @@ struct Minimised {
 /// eliminated there; the rest is one sparse Cholesky factorisation a step, whose symbolic part is
 /// made once.
 class EnergyMinimiser {
-  public:
+public:
     explicit EnergyMinimiser(const SectionSpace& space);
     ~EnergyMinimiser();
     EnergyMinimiser(const EnergyMinimiser&) = delete;
@@ -43,7 +43,7 @@ class EnergyMinimiser {
     [[nodiscard]] Minimised minimise(const EnergyDensity& density, const Eigen::VectorXd& load,
                                      double tolerance, int most_steps, Eigen::VectorXd& values);
 
-  private:
+private:
     struct Work;
     const SectionSpace& space_;
     std::unique_ptr<Work> work_;

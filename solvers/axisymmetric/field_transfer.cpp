@@ -56,9 +56,8 @@ Eigen::VectorXd transferred(const DividedSection& coarse, const Eigen::VectorXd&
             element_at.at({shape.family[0], across.interval, shape.family[1], along.interval});
         const bool at_axis =
             field == Field::stress_function && coarse.mesh.elements[parent].left == 0.0;
-        const LineBasis basis_across = at_axis
-                                           ? axis_basis(from_nodes, across.node, axis_power)
-                                           : lagrange_basis(from_nodes, across.node);
+        const LineBasis basis_across = at_axis ? axis_basis(from_nodes, across.node, axis_power)
+                                               : lagrange_basis(from_nodes, across.node);
         const LineBasis basis_along = lagrange_basis(from_nodes, along.node);
         Eigen::MatrixXd table(from_nodes.size(), from_nodes.size());
         const std::vector<int>& from_node = coarse.space.elements()[parent].node;

@@ -52,7 +52,7 @@ struct Sides {
 };
 
 class Builder {
-  public:
+public:
     /// Adds the block between two families of lines; row j at the radius r is at z_at(r, j).
     template <class HeightAt>
     void add_block(LineFamily columns, LineFamily rows, const SectionLines& lines,
@@ -61,17 +61,17 @@ class Builder {
         const std::size_t row_count = lines[static_cast<std::size_t>(rows)].size() - 1;
         for (std::size_t j = 0; j < row_count; ++j) {
             for (std::size_t i = 0; i + 1 < r.size(); ++i) {
-                SectionElement element{.left = r[i],
-                                       .right = r[i + 1],
-                                       .bottom_left = z_at(r[i], j),
-                                       .bottom_right = z_at(r[i + 1], j),
-                                       .top_left = z_at(r[i], j + 1),
-                                       .top_right = z_at(r[i + 1], j + 1),
-                                       .vertex = {},
-                                       .edge = {},
-                                       .family = {static_cast<std::size_t>(columns),
-                                                  static_cast<std::size_t>(rows)},
-                                       .interval = {i, j}};
+                SectionElement element{
+                    .left = r[i],
+                    .right = r[i + 1],
+                    .bottom_left = z_at(r[i], j),
+                    .bottom_right = z_at(r[i + 1], j),
+                    .top_left = z_at(r[i], j + 1),
+                    .top_right = z_at(r[i + 1], j + 1),
+                    .vertex = {},
+                    .edge = {},
+                    .family = {static_cast<std::size_t>(columns), static_cast<std::size_t>(rows)},
+                    .interval = {i, j}};
                 element.vertex = {vertex(element.left, element.bottom_left),
                                   vertex(element.right, element.bottom_right),
                                   vertex(element.left, element.top_left),
@@ -87,7 +87,7 @@ class Builder {
     }
     [[nodiscard]] SectionMesh take() { return std::move(mesh_); }
 
-  private:
+private:
     /// Blocks meet in points that come from the same arithmetic, so equality is exact.
     int vertex(double r, double z) {
         const auto [place, added] =
@@ -119,8 +119,7 @@ class Builder {
 SectionLines graded_lines(const geometry::DinBob& bob, const Grading& grading) {
     const double cup = bob.radius_ratio();
     const double length = bob.length_ratio;
-    const double smallest =
-        grading.smallest * std::min({cup - 1.0, length, bob.bottom_ratio});
+    const double smallest = grading.smallest * std::min({cup - 1.0, length, bob.bottom_ratio});
     const auto distances = [&](double span) { return graded(span, smallest, grading.ratio); };
     SectionLines lines;
     const auto family = [&](LineFamily which) -> auto& {

@@ -33,8 +33,8 @@ struct SectionElement {
     std::array<std::size_t, 2> interval{};
 };
 
-/// Half of the section that the fluid fills, r >= 0, as conforming quadrilaterals. Two elements that
-/// share an edge run along it in the same direction.
+/// Half of the section that the fluid fills, r >= 0, as conforming quadrilaterals. Two elements
+/// that share an edge run along it in the same direction.
 struct SectionMesh {
     std::vector<SectionElement> elements;
     std::vector<unsigned> vertex_boundary; ///< Boundary bits of each vertex

@@ -61,7 +61,8 @@ SectionSpace::SectionSpace(const SectionMesh& mesh, Field field, int degree, int
         for (int a = 0; a < points; ++a) {
             for (Eigen::Index k = 0; k < locals; ++k) {
                 const LocalNode& local = order[static_cast<std::size_t>(k)];
-                values_(b * points + a, k) = plain.value(a, local.column) * plain.value(b, local.row);
+                values_(b * points + a, k) =
+                    plain.value(a, local.column) * plain.value(b, local.row);
             }
         }
     }
@@ -86,8 +87,10 @@ SectionSpace::SectionSpace(const SectionMesh& mesh, Field field, int degree, int
                 element.weight[q] = rule.weight[a] * rule.weight[b] * at.r * at.r_x * at.z_y;
                 for (Eigen::Index k = 0; k < locals; ++k) {
                     const LocalNode& local = order[static_cast<std::size_t>(k)];
-                    const double along_x = across.slope(a, local.column) * plain.value(b, local.row);
-                    const double along_y = across.value(a, local.column) * plain.slope(b, local.row);
+                    const double along_x =
+                        across.slope(a, local.column) * plain.value(b, local.row);
+                    const double along_y =
+                        across.value(a, local.column) * plain.slope(b, local.row);
                     const double along_z = along_y / at.z_y;
                     element.slope(q, k) = scale * (along_x - along_z * at.z_x) / at.r_x;
                     element.slope(count + q, k) = scale * along_z;

@@ -26,24 +26,24 @@ struct LocalNode {
     int column; ///< 0 ... degree, r grows
     int row;    ///< 0 ... degree, z grows
 };
-/// The nodes of an element in the order of SectionSpace::Element::node: corners, edges (bottom, top,
-/// left, right), inside.
+/// The nodes of an element in the order of SectionSpace::Element::node: corners, edges (bottom,
+/// top, left, right), inside.
 [[nodiscard]] std::vector<LocalNode> local_nodes(int degree);
 
 /// Continuous finite elements of one degree on a section, with the gradient g that the energy is a
 /// function of, at the points of a Gauss rule in every element. Lengths in bob radii.
 class SectionSpace {
-  public:
+public:
     /// @param degree  of the polynomials in each direction, >= 1
     /// @param points  of the Gauss rule in each direction
     SectionSpace(const SectionMesh& mesh, Field field, int degree, int points);
 
     struct Element {
-        std::vector<int> node;   ///< global node of each local node, those of the edges first
-        Eigen::MatrixXd slope;   ///< g = slope * nodal values: rows of g_r, then rows of g_z
-        Eigen::ArrayXd weight;   ///< r dr dz of each point
-        Eigen::ArrayXd radius;   ///< of each point
-        Eigen::ArrayXd height;   ///< z of each point
+        std::vector<int> node; ///< global node of each local node, those of the edges first
+        Eigen::MatrixXd slope; ///< g = slope * nodal values: rows of g_r, then rows of g_z
+        Eigen::ArrayXd weight; ///< r dr dz of each point
+        Eigen::ArrayXd radius; ///< of each point
+        Eigen::ArrayXd height; ///< z of each point
     };
     [[nodiscard]] const std::vector<Element>& elements() const { return elements_; }
     [[nodiscard]] int degree() const { return degree_; }
@@ -68,7 +68,7 @@ class SectionSpace {
     /// Prescribes other values; used by tests with manufactured solutions.
     void prescribe(const Eigen::VectorXd& values);
 
-  private:
+private:
     void number_nodes(const SectionMesh& mesh, Field field);
 
     int degree_;

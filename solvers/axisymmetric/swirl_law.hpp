@@ -12,7 +12,7 @@ namespace searle::solvers::axisymmetric {
 /// stress_scale(), energies over their product. Phi is the dissipation potential, the integral of
 /// the stress over the rate, Phi* its convex conjugate, the integral of the rate over the stress.
 class SwirlLaw {
-  public:
+public:
     /// @param speed      rad/s, > 0
     /// @param rate_scale a typical rate of shear over the speed, > 0
     SwirlLaw(const laws::flow::AnyFlowLaw& law, double speed, double rate_scale);
@@ -32,12 +32,12 @@ class SwirlLaw {
     /// Phi(sqrt(rate^2 + rounding^2)): as smooth as Newton's method needs at rest. A parameter of
     /// the path to the solution only: energies are taken with potential().
     class RoundedPotential final : public EnergyDensity {
-      public:
+    public:
         RoundedPotential(const SwirlLaw& law, double rounding) : law_(law), rounding_(rounding) {}
         void slopes(const Eigen::ArrayXd& rate, Eigen::ArrayXd& secant,
                     Eigen::ArrayXd& tangent) const override;
 
-      private:
+    private:
         const SwirlLaw& law_;
         double rounding_;
     };
@@ -45,19 +45,19 @@ class SwirlLaw {
     /// Phi*(sqrt(stress^2 + rounding^2)) + softening stress^2 / 2: a little compliance where the
     /// fluid is rigid. A parameter of the path, as above.
     class SoftenedConjugate final : public EnergyDensity {
-      public:
+    public:
         SoftenedConjugate(const SwirlLaw& law, double softening, double rounding)
             : law_(law), softening_(softening), rounding_(rounding) {}
         void slopes(const Eigen::ArrayXd& stress, Eigen::ArrayXd& secant,
                     Eigen::ArrayXd& tangent) const override;
 
-      private:
+    private:
         const SwirlLaw& law_;
         double softening_;
         double rounding_;
     };
 
-  private:
+private:
     [[nodiscard]] double excess_potential(double rate) const;
     void tabulate();
 

@@ -75,8 +75,8 @@ void bracket(const SwirlLaw& law, const Eigen::ArrayXXd& weight, const Eigen::Ar
     }
 }
 
-/// The largest flux a - sum Phi*(a |stress|) of a few shares a <= 1: near the plastic limit a stress
-/// that is a little too large somewhere costs more than a smaller stress everywhere.
+/// The largest flux a - sum Phi*(a |stress|) of a few shares a <= 1: near the plastic limit a
+/// stress that is a little too large somewhere costs more than a smaller stress everywhere.
 double best_conjugate(const SwirlLaw& law, const Eigen::ArrayXXd& weight,
                       const Eigen::ArrayXXd& stress, double flux) {
     double best = flux - (weight * law.conjugate(stress)).sum();
@@ -104,9 +104,8 @@ SwirlLevel::SwirlLevel(const geometry::DinBob& bob, SectionLines lines, int degr
       rotation_(rotation_space_.prescribed()), stress_function_(stress_space_.prescribed()) {}
 
 void SwirlLevel::start_from(const SwirlLevel& coarse) {
-    rotation_ =
-        transferred({coarse.lines_, coarse.mesh_, coarse.rotation_space_}, coarse.rotation_,
-                    Field::rotation, {lines_, mesh_, rotation_space_});
+    rotation_ = transferred({coarse.lines_, coarse.mesh_, coarse.rotation_space_}, coarse.rotation_,
+                            Field::rotation, {lines_, mesh_, rotation_space_});
     stress_function_ =
         transferred({coarse.lines_, coarse.mesh_, coarse.stress_space_}, coarse.stress_function_,
                     Field::stress_function, {lines_, mesh_, stress_space_});
@@ -155,9 +154,8 @@ LineMarks SwirlLevel::marks(const SwirlLaw& law, double share) const {
     const Gradient rate = gradient(rotation_space_, rotation_);
     const Gradient curl = gradient(stress_space_, stress_function_);
     // The stress is the curl of psi: (-d/dz, d/dr) psi / r^2 with the sign that resists.
-    const Eigen::ArrayXXd excess =
-        weight * (law.potential(rate.size) + law.conjugate(curl.size) -
-                  (rate.z * curl.r - rate.r * curl.z).abs());
+    const Eigen::ArrayXXd excess = weight * (law.potential(rate.size) + law.conjugate(curl.size) -
+                                             (rate.z * curl.r - rate.r * curl.z).abs());
     std::array<std::vector<double>, line_families> part;
     for (std::size_t family = 0; family < line_families; ++family) {
         part[family].assign(lines_[family].empty() ? 0 : lines_[family].size() - 1, 0.0);
@@ -171,8 +169,8 @@ LineMarks SwirlLevel::marks(const SwirlLaw& law, double share) const {
                                                       points_);
         const double along_r = (table.rowwise() - table.colwise().mean()).square().sum();
         const double along_z = (table.colwise() - table.rowwise().mean()).square().sum();
-        const double radial = along_r / std::max(along_r + along_z,
-                                                 std::numeric_limits<double>::min());
+        const double radial =
+            along_r / std::max(along_r + along_z, std::numeric_limits<double>::min());
         const SectionElement& shape = mesh_.elements[e];
         part[shape.family[0]][shape.interval[0]] += gap * radial;
         part[shape.family[1]][shape.interval[1]] += gap * (1.0 - radial);
@@ -201,8 +199,6 @@ LineMarks SwirlLevel::marks(const SwirlLaw& law, double share) const {
     return marks;
 }
 
-long SwirlLevel::unknowns() const {
-    return rotation_space_.unknowns() + stress_space_.unknowns();
-}
+long SwirlLevel::unknowns() const { return rotation_space_.unknowns() + stress_space_.unknowns(); }
 
 } // namespace searle::solvers::axisymmetric

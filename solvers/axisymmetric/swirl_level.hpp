@@ -22,7 +22,7 @@ struct SwirlEnergies {
 
 /// One division of the section with both fields on it.
 class SwirlLevel {
-  public:
+public:
     SwirlLevel(const geometry::DinBob& bob, SectionLines lines, int degree, int points);
 
     /// Takes the fields of a coarser level as the start.
@@ -45,7 +45,7 @@ class SwirlLevel {
     [[nodiscard]] int steps() const { return steps_; }
     [[nodiscard]] long unknowns() const;
 
-  private:
+private:
     SectionLines lines_;
     SectionMesh mesh_;
     int points_;

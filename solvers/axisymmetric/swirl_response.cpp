@@ -20,18 +20,17 @@ using Sparse = Eigen::SparseMatrix<double>;
 struct Swirl {
     Sparse stiffness;
     Sparse mass;
-    Eigen::VectorXd wall_force;     ///< stiffness between free nodes and the walls' values
-    Eigen::VectorXd wall_momentum;  ///< mass between free nodes and the walls' values
-    double wall_stiffness{};        ///< walls with walls
+    Eigen::VectorXd wall_force;    ///< stiffness between free nodes and the walls' values
+    Eigen::VectorXd wall_momentum; ///< mass between free nodes and the walls' values
+    double wall_stiffness{};       ///< walls with walls
     double wall_mass{};
 };
 
 Swirl assemble(const SectionSpace& space) {
     const std::vector<int>& shared = space.shared_unknown();
     const auto unknown = [&](int node) {
-        return node < space.shared_nodes()
-                   ? shared[static_cast<std::size_t>(node)]
-                   : space.shared_unknowns() + node - space.shared_nodes();
+        return node < space.shared_nodes() ? shared[static_cast<std::size_t>(node)]
+                                           : space.shared_unknowns() + node - space.shared_nodes();
     };
     const auto size = static_cast<Index>(space.unknowns());
     Swirl swirl{Sparse(size, size), Sparse(size, size), Eigen::VectorXd::Zero(size),
@@ -91,8 +90,7 @@ std::vector<double> scale_of(const std::vector<double>& torque) {
 
 SwirlResponse swirl_response(const geometry::DinBob& bob, double viscosity, double density,
                              const ResponseResolution& resolution) {
-    const SectionLines lines =
-        graded_lines(bob, {.smallest = resolution.smallest, .ratio = 0.15});
+    const SectionLines lines = graded_lines(bob, {.smallest = resolution.smallest, .ratio = 0.15});
     const SectionMesh mesh = section_of(bob, lines);
     const SectionSpace space(mesh, Field::rotation, resolution.degree, resolution.degree + 2);
     const Swirl swirl = assemble(space);
@@ -136,11 +134,9 @@ SwirlResponse swirl_response(const geometry::DinBob& bob, double viscosity, doub
         basis.push_back(next / length);
         image.push_back(next_image / length);
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
-        reduced.topLeftCorner(count, count));
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(reduced.topLeftCorner(count, count));
 
-    const double torque_scale =
-        2.0 * std::numbers::pi * viscosity * std::pow(bob.bob_radius, 3);
+    const double torque_scale = 2.0 * std::numbers::pi * viscosity * std::pow(bob.bob_radius, 3);
     const double diffusion_time = bob.bob_radius * bob.bob_radius * density / viscosity;
     SwirlResponse response{.steady = torque_scale * steady_stiffness,
                            .at_once = inertia,
@@ -181,7 +177,8 @@ std::vector<double> torque_along(const SwirlResponse& response,
             for (std::size_t k = 0; k < state.size(); ++k) {
                 const double decay = response.modes[k].decay;
                 const double passed = decay * (to - now);
-                state[k] = state[k] * std::exp(-passed) - acceleration * std::expm1(-passed) / decay;
+                state[k] =
+                    state[k] * std::exp(-passed) - acceleration * std::expm1(-passed) / decay;
             }
             now = to;
         };
@@ -203,6 +200,8 @@ std::vector<double> torque_along(const SwirlResponse& response,
 TransientSwirl transient_swirl(const geometry::DinBob& bob, double viscosity, double density,
                                const rheometry::SpeedHistory& history, double accuracy) {
     constexpr int most_levels = 4;
+    // Just after a jump two neighbouring levels miss the same fast modes in part.
+    constexpr double safety = 2.0;
     const double digits = std::max(2.0, -std::log10(accuracy));
     ResponseResolution resolution{.degree = 3 + static_cast<int>(std::lround(0.5 * digits)),
                                   .smallest = std::min(0.1, std::pow(20.0 * accuracy, 0.75)),
@@ -221,7 +220,8 @@ TransientSwirl transient_swirl(const geometry::DinBob& bob, double viscosity, do
             result.error.clear();
             result.worst_relative_error = 0.0;
             for (std::size_t k = 0; k < scale.size(); ++k) {
-                result.error.push_back(std::abs(result.torque[k] - before[k]) + 1e-13 * scale[k]);
+                result.error.push_back(safety * std::abs(result.torque[k] - before[k]) +
+                                       1e-13 * scale[k]);
                 if (scale[k] > 0.0) {
                     result.worst_relative_error =
                         std::max(result.worst_relative_error, result.error.back() / scale[k]);

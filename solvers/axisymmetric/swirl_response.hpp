@@ -52,8 +52,7 @@ struct TransientSwirl {
     double steady{}; ///< torque over speed without inertia, N m s
 };
 [[nodiscard]] TransientSwirl transient_swirl(const geometry::DinBob& bob, double viscosity,
-                                             double density,
-                                             const rheometry::SpeedHistory& history,
+                                             double density, const rheometry::SpeedHistory& history,
                                              double accuracy);
 
 } // namespace searle::solvers::axisymmetric
