@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace searle::solvers::axisymmetric {
 namespace {
@@ -52,9 +53,17 @@ void add_end_flow(const Plan& plan, std::vector<rheometry::TorqueRow>& rows) {
 }
 
 std::string range_text(const std::vector<double>& factors) {
-    const auto [least, most] = std::minmax_element(factors.begin(), factors.end());
-    return *most - *least < 1e-9 ? fmt::format("{:.6g}", *most)
-                                 : fmt::format("{:.6g} to {:.6g}", *least, *most);
+    // Rows at rest have no end effect and hold 1.
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0.0;
+    for (const double factor : factors) {
+        if (factor != 1.0) {
+            least = std::min(least, factor);
+            most = std::max(most, factor);
+        }
+    }
+    return most - least < 1e-9 ? fmt::format("{:.6g}", most)
+                               : fmt::format("{:.6g} to {:.6g}", least, most);
 }
 
 } // namespace
@@ -79,9 +88,16 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
         solution.linear_solves = ends.newton_steps();
         solution.unknowns = ends.unknowns();
         if (ends.solutions() > 0) {
+            const auto fastest =
+                *std::max_element(speeds.begin(), speeds.end(), [](double one, double other) {
+                    return std::abs(one) < std::abs(other);
+                });
+            const EndFactorCurve::Value at_fastest = ends.at(fastest);
             solution.notes.push_back(fmt::format(
-                "End factor of the creeping flow c_L = {} (computed; {} solution{}).",
-                range_text(report.end_factor), ends.solutions(), ends.solutions() == 1 ? "" : "s"));
+                "End factor of the creeping flow c_L = {} (computed; {} solution{}); at {:.4g} "
+                "rad/s it is between {:.6g} and {:.6g} by the energy bounds.",
+                range_text(report.end_factor), ends.solutions(), ends.solutions() == 1 ? "" : "s",
+                fastest, at_fastest.lower, at_fastest.upper));
         }
     } catch (const Interrupted&) {
         solution.interrupted = true;

@@ -127,10 +127,11 @@ EndFactorCurve::Value EndFactorCurve::at(double speed) const {
     for (const Solved& each : solved_) {
         worst = std::max(worst, each.value.relative_error);
     }
+    const bool solved_here = std::abs(near->speed / magnitude - 1.0) < 1e-9;
     return {.end_factor = interpolated(magnitude),
             .relative_error = worst + interpolation_error_,
-            .lower = 0.0,
-            .upper = 0.0};
+            .lower = solved_here ? near->value.lower : 0.0,
+            .upper = solved_here ? near->value.upper : 0.0};
 }
 
 } // namespace searle::solvers::axisymmetric
