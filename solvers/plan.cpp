@@ -97,8 +97,8 @@ Choice choose(const Scene& scene, const Forecast& forecast, bool transient) {
     }
     if (is_din_bob(scene) && asked != Model::radial) {
         return {"axisymmetric",
-                fmt::format("The flow around a DIN bob's ends depends on r and z: one unknown, the "
-                            "angular velocity, in the whole section; {}.",
+                fmt::format("The flow around a DIN bob's ends is axisymmetric: one unknown, the "
+                            "angular velocity w(r, z), in the whole section; {}.",
                             why_transient(scene, forecast, transient)),
                 true, false};
     }
