@@ -15,6 +15,8 @@ namespace {
 constexpr double base_elements = 3.0;
 constexpr double base_tolerance = 5e-2;
 constexpr double loosest_tolerance = 0.1;
+/// Below it rounding in the error estimate of a step would refuse every step.
+constexpr double smallest_tolerance = 1e-11;
 constexpr int order = 4;
 /// A jump of the speed begins with a layer that no grid resolves. A Newtonian fluid forgets it; in
 /// any other it leaves an error of (first element / layer)^(1 + n), about. So there the grading is
@@ -265,7 +267,7 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
                 layer /= steepening;
             }
         }
-        tolerance = std::max(tolerance / 16.0, 1e-12);
+        tolerance = std::max(tolerance / 16.0, smallest_tolerance);
     }
     return result;
 }
