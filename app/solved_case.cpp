@@ -1,5 +1,7 @@
 #include "app/solved_case.hpp"
 
+#include "solvers/axisymmetric/axisymmetric_solver.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,6 +28,23 @@ std::vector<double> rotor_wall_rates(const solvers::Scene& scene,
     return rates;
 }
 
+/// Each row with the end factor of its own speed; the conversion that is reported has the last
+/// row's.
+void convert_with_computed_ends(SolvedCase& solved, const std::vector<double>& end_factors,
+                                const std::vector<std::string>& regimes,
+                                const std::vector<double>& wall_rates) {
+    const solvers::Scene& scene = solved.source.scene;
+    for (std::size_t row = 0; row < end_factors.size(); ++row) {
+        rheometry::ConversionSettings settings = scene.conversion;
+        settings.end_factor = end_factors[row];
+        solved.conversion = rheometry::conversion_for(scene.instrument, settings);
+        const rheometry::Rheogram point =
+            rheometry::make_rheogram({{solved.solution.history.rows[row]}}, solved.conversion,
+                                     {&regimes[row], 1}, {&wall_rates[row], 1});
+        solved.rheogram.points.push_back(point.points.front());
+    }
+}
+
 } // namespace
 
 PlannedCase plan_case(Case source, StageClock clock) {
@@ -49,13 +68,24 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
                       .rheogram = {},
                       .clock = std::move(planned.clock)};
     const solvers::Scene& scene = solved.source.scene;
-    solved.solution = solvers::radial::solve_radial(scene, solved.plan, progress);
+    std::vector<double> end_factors;
+    if (solved.plan.model == "axisymmetric") {
+        solvers::axisymmetric::AxisymmetricReport report =
+            solvers::axisymmetric::solve_axisymmetric(scene, solved.plan, progress);
+        solved.solution = std::move(report.solution);
+        end_factors = std::move(report.end_factor);
+    } else {
+        solved.solution = solvers::radial::solve_radial(scene, solved.plan, progress);
+    }
     solved.clock.end_stage("solve");
     const rheometry::TorqueHistory& history = solved.solution.history;
     solved.conversion = rheometry::conversion_for(scene.instrument, scene.conversion);
-    solved.rheogram = rheometry::make_rheogram(history, solved.conversion,
-                                               regimes_of(solved.plan, history.rows.size()),
-                                               rotor_wall_rates(scene, history));
+    const std::vector<std::string> regimes = regimes_of(solved.plan, history.rows.size());
+    const std::vector<double> wall_rates = rotor_wall_rates(scene, history);
+    if (solved.conversion.end_factor_provisional && !end_factors.empty())
+        convert_with_computed_ends(solved, end_factors, regimes, wall_rates);
+    else
+        solved.rheogram = rheometry::make_rheogram(history, solved.conversion, regimes, wall_rates);
     solved.clock.end_stage("convert");
     return solved;
 }

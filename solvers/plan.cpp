@@ -79,28 +79,28 @@ Choice choose(const Scene& scene, const Forecast& forecast, bool transient) {
                             : " engine = \"native\" solves this scene with the radial model."),
             false, false};
     }
-    if (asked == Model::axisymmetric || asked == Model::three_dimensional) {
+    if (asked == Model::three_dimensional || (asked == Model::axisymmetric && !is_din_bob(scene))) {
         const char* name = asked == Model::axisymmetric ? "axisymmetric" : "3d";
         return {name,
-                fmt::format("solver.model = \"{0}\": this version has no {0} model yet.{1}", name,
-                            is_din_bob(scene) ? " model = \"radial\" takes the bob as endless."
-                                              : " model = \"auto\" solves this scene with the "
-                                                "radial model."),
+                fmt::format("solver.model = \"{}\": this version has no such model of this "
+                            "instrument. model = \"auto\" solves this scene with the {} model.",
+                            name, is_din_bob(scene) ? "axisymmetric" : "radial"),
                 false, false};
     }
-    if (forecast.conversion.end_factor_provisional) {
+    if (asked == Model::radial && forecast.conversion.end_factor_provisional) {
         return {
-            "axisymmetric",
+            "radial",
             "conversion.end_factor = \"computed\" needs the flow around the bob's ends, which "
-            "this version cannot solve yet; a number (the default is 1.10 for the DIN bob) works.",
+            "solver.model = \"radial\" leaves out; model = \"auto\" has it, and so has a number "
+            "for c_L (the default is 1.10).",
             false, false};
     }
-    if (is_din_bob(scene) && asked == Model::automatic) {
+    if (is_din_bob(scene) && asked != Model::radial) {
         return {"axisymmetric",
-                "The flow around a DIN bob's ends depends on r and z, and this version has no "
-                "axisymmetric model yet; model = \"radial\" takes the bob as endless and the ends "
-                "through c_L.",
-                false, false};
+                fmt::format("The flow around a DIN bob's ends is axisymmetric: one unknown, the "
+                            "angular velocity w(r, z), in the whole section; {}.",
+                            why_transient(scene, forecast, transient)),
+                true, false};
     }
     return {transient ? "radial transient" : "radial steady",
             fmt::format("{}; {}.", why_radial(scene), why_transient(scene, forecast, transient)),
@@ -113,6 +113,10 @@ std::vector<std::string> choice_warnings(const Scene& scene, const Choice& choic
         warnings.emplace_back("The radial model is an explicit choice for this DIN bob: it ignores "
                               "the flow around cone, top and shaft and its inertia, and takes them "
                               "as a factor c_L on the endless bob's torque.");
+    }
+    if (choice.model == "axisymmetric" && scene.solver.secondary_flow == Switch::on) {
+        warnings.emplace_back("secondary_flow = true: this version solves the swirl alone; the "
+                              "estimate of the secondary flow goes to the error bars.");
     }
     if (choice.is_radial && scene.solver.secondary_flow == Switch::on) {
         warnings.emplace_back(
@@ -138,6 +142,11 @@ Plan make_plan(const Scene& scene) {
     }
     if (choice.is_radial) {
         const Cost cost = radial_cost(scene, forecast, plan.transient);
+        plan.expected_seconds = cost.seconds;
+        plan.expected_unknowns = cost.unknowns;
+    }
+    if (choice.can_be_solved && !choice.is_radial) {
+        const Cost cost = axisymmetric_cost(scene, forecast, plan.transient);
         plan.expected_seconds = cost.seconds;
         plan.expected_unknowns = cost.unknowns;
     }

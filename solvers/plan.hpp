@@ -44,6 +44,8 @@ struct RowForecast {
     double taylor_ratio{};  ///< Re / Re_critical; 0 for the box
     /// Estimated part of the stress that is inertia: |inertial| / (|steady| + |inertial|), 0 ... 1.
     double lag_share{};
+    /// Estimated part of the torque that is secondary flow at a bob's ends, 0 ... 1.
+    double end_flow_share{};
 };
 
 struct Plan {

@@ -57,4 +57,22 @@ Cost radial_cost(const Scene& scene, const Forecast& forecast, bool transient) {
     return {steady_seconds + seconds, static_cast<long>(gaps * (4.0 * elements + 1.0))};
 }
 
+Cost axisymmetric_cost(const Scene& scene, const Forecast& forecast, bool transient) {
+    // From runs at accuracies of 1e-3 to 1e-5: seconds of one solution, and their number.
+    const bool newtonian = std::holds_alternative<laws::flow::Newtonian>(scene.fluid.law);
+    const bool power_law = std::holds_alternative<laws::flow::PowerLaw>(scene.fluid.law);
+    const bool yields = laws::flow::yield_stress(scene.fluid.law) > 0.0;
+    constexpr double growth_per_digit = 3.0;
+    const double digits = std::max(1.0, -std::log10(scene.solver.accuracy));
+    const double growth = std::pow(growth_per_digit, digits - 3.0);
+    const double one = growth * (newtonian ? 0.02 : yields ? 0.25 : 0.1);
+    constexpr double most_solutions = 17.0;
+    const double solutions =
+        newtonian || power_law
+            ? 1.0
+            : std::min(most_solutions, static_cast<double>(forecast.rows.size()));
+    const double inertia = newtonian && transient ? 2.0 * one : 0.0;
+    return {solutions * one + inertia, static_cast<long>((yields ? 5000.0 : 2000.0) * growth)};
+}
+
 } // namespace searle::solvers

@@ -13,4 +13,7 @@ struct Cost {
 /// a factor of about five.
 [[nodiscard]] Cost radial_cost(const Scene& scene, const Forecast& forecast, bool transient);
 
+/// The same for the flow around a DIN bob.
+[[nodiscard]] Cost axisymmetric_cost(const Scene& scene, const Forecast& forecast, bool transient);
+
 } // namespace searle::solvers

@@ -257,6 +257,7 @@ Forecast forecast(const Scene& scene) {
             }
             if (has_ends) {
                 facts.end_flow_share = end_flow_share(facts.end_reynolds);
+                row.end_flow_share = facts.end_flow_share;
             }
             facts.definition_error =
                 std::abs(row.steady_stress) /

@@ -62,7 +62,7 @@ PlanItem ends_item(const Scene& scene, const Forecast& forecast, PlannedModel mo
                     slenderness(scene.instrument), end_factor)};
 }
 
-PlanItem secondary_flow_item(const Scene& scene, const Forecast& forecast, PlannedModel model) {
+PlanItem secondary_flow_item(const Scene& scene, const Forecast& forecast) {
     if (is_box(scene)) {
         return {"secondary flow", false, "Plane shear has straight streamlines."};
     }
@@ -74,11 +74,8 @@ PlanItem secondary_flow_item(const Scene& scene, const Forecast& forecast, Plann
     const std::size_t worst =
         row_of_largest(forecast, [&](std::size_t i) { return forecast.facts[i].end_reynolds; });
     const RowFacts& facts = forecast.facts[worst];
-    const Switch asked = scene.solver.secondary_flow;
-    const bool matters = asked == Switch::on || (asked == Switch::automatic &&
-                                                 facts.end_flow_share > scene.solver.accuracy);
     return {
-        "secondary flow", !model.radial && matters,
+        "secondary flow", false,
         fmt::format("The bob's ends drive it with Re = omega R^2 / nu = {:.4g} at the most, "
                     "worth about {} of the torque (a sphere's inertial correction, Re^2 / 1200, "
                     "on a tenth of the torque).",
@@ -145,7 +142,7 @@ std::vector<PlanItem> plan_items(const Scene& scene, const Forecast& forecast, P
     return {inertia_item(scene, forecast, model.transient),
             yield_item(scene, forecast),
             taylor_item(forecast),
-            secondary_flow_item(scene, forecast, model),
+            secondary_flow_item(scene, forecast),
             ends_item(scene, forecast, model),
             mesh_item(model),
             {"particles", false, "The case has no particles: a fluid of 0 % solids."}};

@@ -149,7 +149,7 @@ TEST_F(BadInput, set_with_a_wrong_key_or_value) {
 TEST_F(BadInput, engines_and_models_that_are_not_here) {
     const std::string din = std::string(SEARLE_SOURCE_DIR) + "/cases/din-bob-water.toml";
     const std::vector<std::vector<std::string>> asks{
-        {"run", din},
+        {"run", din, "--set", "solver.model=3d"},
         {"run", water, "--set", "solver.engine=openfoam"},
         {"run", water, "--set", "solver.model=3d"},
         {"run", water, "--set", "solver.model=axisymmetric"}};

@@ -190,11 +190,12 @@ TEST(Plan, inertia_is_skipped_only_far_below_the_accuracy) {
     EXPECT_TRUE(make_plan(scene).transient);
 }
 
-TEST(Plan, ramp_of_a_din_bob_needs_a_model_that_is_not_here) {
+TEST(Plan, ramp_of_a_din_bob_is_solved_with_its_ends) {
     Scene scene = water_ramp();
     scene.instrument = geometry::DinBob{0.014, 0.0152};
     const Plan plan = make_plan(scene);
-    EXPECT_FALSE(plan.can_be_solved);
+    EXPECT_TRUE(plan.can_be_solved);
+    EXPECT_TRUE(plan.transient);
     EXPECT_EQ(plan.model, "axisymmetric");
     EXPECT_NE(plan.model_reason.find("axisymmetric"), std::string::npos);
     EXPECT_TRUE(plan.taylor.has_value());

@@ -1,0 +1,167 @@
+#include "solvers/axisymmetric/axisymmetric_solver.hpp"
+
+#include "rheometry/schedule.hpp"
+#include "solvers/axisymmetric/end_factor_curve.hpp"
+#include "solvers/axisymmetric/swirl_response.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace searle::solvers::axisymmetric {
+namespace {
+
+/// How much more than the plan's estimate of an effect is claimed as error where it is left out.
+constexpr double left_out_margin = 3.0;
+
+std::vector<double> speeds_of(const Plan& plan) {
+    std::vector<double> speeds;
+    for (const RowForecast& row : plan.rows) {
+        speeds.push_back(row.speed);
+    }
+    return speeds;
+}
+
+rheometry::TorqueRow steady_row(const Scene& scene, const RowForecast& forecast,
+                                const EndFactorCurve::Value& ends) {
+    const radial::SteadyInstrumentFlow flow =
+        radial::steady_instrument_flow(scene.instrument, scene.fluid.law, forecast.speed);
+    const double torque = ends.end_factor * flow.torque;
+    return {.time = forecast.time,
+            .speed = forecast.speed,
+            .torque = torque,
+            .torque_error = std::abs(torque) * (ends.relative_error + flow.relative_error),
+            .steady_torque = torque,
+            .yield_radius = flow.yield_radius,
+            .rotor_wall_rate = flow.rotor_wall_rate};
+}
+
+/// Adds what inertia may do to rows that were solved without it.
+void add_lag(const Plan& plan, std::vector<rheometry::TorqueRow>& rows) {
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        rows[k].torque_error += left_out_margin * plan.rows[k].lag_share * std::abs(rows[k].torque);
+    }
+}
+
+/// Adds what secondary flow may do.
+void add_end_flow(const Plan& plan, std::vector<rheometry::TorqueRow>& rows) {
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        rows[k].torque_error +=
+            left_out_margin * plan.rows[k].end_flow_share * std::abs(rows[k].torque);
+    }
+}
+
+std::string range_text(const std::vector<double>& factors) {
+    // Rows at rest have no end effect and hold 1.
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0.0;
+    for (const double factor : factors) {
+        if (factor != 1.0) {
+            least = std::min(least, factor);
+            most = std::max(most, factor);
+        }
+    }
+    return most - least < 1e-9 ? fmt::format("{:.6g}", most)
+                               : fmt::format("{:.6g} to {:.6g}", least, most);
+}
+
+} // namespace
+
+AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
+                                      const ProgressSink& progress) {
+    const auto& bob = std::get<geometry::DinBob>(scene.instrument);
+    const double accuracy = scene.solver.accuracy;
+    AxisymmetricReport report;
+    radial::RadialReport& solution = report.solution;
+    std::vector<rheometry::TorqueRow>& rows = solution.history.rows;
+    try {
+        const std::vector<double> speeds = speeds_of(plan);
+        const EndFactorCurve ends(bob, scene.fluid.law, speeds, 0.5 * accuracy, progress);
+        for (const RowForecast& forecast : plan.rows) {
+            const EndFactorCurve::Value value =
+                forecast.speed == 0.0 ? EndFactorCurve::Value{} : ends.at(forecast.speed);
+            rows.push_back(steady_row(scene, forecast, value));
+            report.end_factor.push_back(value.end_factor);
+        }
+        solution.refinements = ends.levels();
+        solution.linear_solves = ends.newton_steps();
+        solution.unknowns = ends.unknowns();
+        if (ends.solutions() > 0) {
+            const auto fastest =
+                *std::max_element(speeds.begin(), speeds.end(), [](double one, double other) {
+                    return std::abs(one) < std::abs(other);
+                });
+            const EndFactorCurve::Value at_fastest = ends.at(fastest);
+            solution.notes.push_back(fmt::format(
+                "End factor of the creeping flow c_L = {} (computed; {} solution{}); at {:.4g} "
+                "rad/s it is between {:.6g} and {:.6g} by the energy bounds.",
+                range_text(report.end_factor), ends.solutions(), ends.solutions() == 1 ? "" : "s",
+                fastest, at_fastest.lower, at_fastest.upper));
+        }
+    } catch (const Interrupted&) {
+        solution.interrupted = true;
+        solution.reached = false;
+        return report;
+    }
+
+    const auto schedule = rheometry::schedule(
+        scene.protocol, rheometry::conversion_for(scene.instrument, scene.conversion));
+    const auto* newtonian = std::get_if<laws::flow::Newtonian>(&scene.fluid.law);
+    if (const auto* history = std::get_if<rheometry::SpeedHistory>(&schedule)) {
+        if (plan.transient && newtonian != nullptr) {
+            const TransientSwirl swirl =
+                transient_swirl(bob, newtonian->viscosity, scene.fluid.density, *history, accuracy);
+            for (std::size_t k = 0; k < rows.size(); ++k) {
+                rows[k].torque = swirl.torque[k];
+                rows[k].torque_error = swirl.error[k];
+            }
+            solution.transient = true;
+            solution.refinements = swirl.levels;
+            solution.unknowns = swirl.unknowns;
+        } else {
+            add_lag(plan, rows);
+            if (plan.transient) {
+                solution.notes.emplace_back(
+                    "Inertia in the whole section is solved for Newtonian fluids alone: here each "
+                    "row is a steady flow, and its error includes three times the inertia that the "
+                    "plan estimates.");
+            }
+        }
+    }
+    const bool counts_secondary_flow = scene.solver.secondary_flow == Switch::on ||
+                                       (scene.solver.secondary_flow == Switch::automatic &&
+                                        scene.solver.model == Model::automatic);
+    if (counts_secondary_flow) {
+        add_end_flow(plan, rows);
+    }
+
+    double largest = 0.0;
+    for (const rheometry::TorqueRow& row : rows) {
+        largest = std::max(largest, std::abs(row.torque));
+    }
+    for (const rheometry::TorqueRow& row : rows) {
+        const double scale = std::max(std::abs(row.torque), 1e-3 * largest);
+        if (scale > 0.0) {
+            solution.worst_relative_error =
+                std::max(solution.worst_relative_error, row.torque_error / scale);
+        }
+    }
+    solution.reached = solution.worst_relative_error <= accuracy;
+    if (counts_secondary_flow && !solution.reached) {
+        double share = 0.0;
+        for (const RowForecast& row : plan.rows) {
+            share = std::max(share, row.end_flow_share);
+        }
+        if (share > accuracy / left_out_margin) {
+            solution.notes.push_back(fmt::format(
+                "Secondary flow at the bob's ends is estimated at up to {:.3g} % of the torque and "
+                "is not solved by this version: the rows' errors include three times the estimate. "
+                "secondary_flow = false asks for swirl alone.",
+                100.0 * share));
+        }
+    }
+    return report;
+}
+
+} // namespace searle::solvers::axisymmetric

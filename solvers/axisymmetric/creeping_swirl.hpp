@@ -1,0 +1,46 @@
+#pragma once
+
+#include "geometry/din_bob.hpp"
+#include "laws/flow/flow_law.hpp"
+#include "solvers/progress.hpp"
+
+namespace searle::solvers::axisymmetric {
+
+struct CreepingSettings {
+    /// Asked-for relative error of the torque, > 0.
+    double accuracy = 1e-3;
+    /// The bracket itself is to be as narrow as `accuracy` (its width over the torque); otherwise
+    /// the estimate from both fields and two levels is enough.
+    bool certified = false;
+    int most_levels = 12;
+    long most_unknowns = 120'000; ///< of both fields together
+};
+
+/// Steady swirl without inertia around a DIN bob that turns in its cup, ends included.
+struct CreepingTorque {
+    double torque{};     ///< N m, > 0
+    double error{};      ///< estimate of its numerical error, N m
+    double lower{};      ///< bounds of the exact torque, N m: equilibrated stress from below and
+    double upper{};      ///< compatible rates from above, up to the error of the quadrature
+    double end_factor{}; ///< c_L: over the torque of the same length of an endless bob
+    /// Change of the bounds when a finer Gauss rule takes the energies, over the torque; the bounds
+    /// are those of the finer rule.
+    double quadrature_error{};
+    double energy_gap{}; ///< (potential - conjugate) / potential
+    bool reached{};      ///< `error`, or the bracket's width, is as small as was asked
+    int levels{};
+    int newton_steps{}; ///< over all levels and both fields
+    long unknowns{};    ///< of the finest level, both fields
+};
+
+/// Solves for the torque at one speed, refining until the accuracy is reached
+/// (docs/axisymmetric.md). No flow law is regularised: rounding of the yield surface is a parameter
+/// of the path, and the energies are the exact law's.
+/// @param speed  rad/s, > 0
+/// May throw Interrupted, from `progress`.
+[[nodiscard]] CreepingTorque creeping_torque(const geometry::DinBob& bob,
+                                             const laws::flow::AnyFlowLaw& law, double speed,
+                                             const CreepingSettings& settings,
+                                             const ProgressSink& progress = {});
+
+} // namespace searle::solvers::axisymmetric

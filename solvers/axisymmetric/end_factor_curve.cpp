@@ -1,0 +1,137 @@
+#include "solvers/axisymmetric/end_factor_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace searle::solvers::axisymmetric {
+namespace {
+
+constexpr std::size_t most_direct = 9;
+constexpr int first_degree = 4;
+constexpr int last_degree = 64;
+
+bool is_homogeneous(const laws::flow::AnyFlowLaw& law) {
+    return std::holds_alternative<laws::flow::Newtonian>(law) ||
+           std::holds_alternative<laws::flow::PowerLaw>(law);
+}
+
+} // namespace
+
+EndFactorCurve::EndFactorCurve(const geometry::DinBob& bob, const laws::flow::AnyFlowLaw& law,
+                               std::span<const double> speeds, double accuracy,
+                               const ProgressSink& progress)
+    : bob_(bob), law_(law), accuracy_(accuracy), progress_(progress) {
+    std::set<double> distinct;
+    for (const double speed : speeds) {
+        if (speed != 0.0) {
+            distinct.insert(std::abs(speed));
+        }
+    }
+    if (distinct.empty()) {
+        return;
+    }
+    if (is_homogeneous(law)) {
+        solve(*distinct.rbegin());
+        return;
+    }
+    if (distinct.size() <= most_direct) {
+        for (const double speed : distinct) {
+            solve(speed);
+        }
+        return;
+    }
+    interpolates_ = true;
+    const double low = std::log(*distinct.begin());
+    const double high = std::log(*distinct.rbegin());
+    const auto point = [&](int k, int degree) {
+        return std::exp(0.5 * (low + high) -
+                        0.5 * (high - low) * std::cos(std::numbers::pi * k / degree));
+    };
+    for (int k = 0; k <= first_degree; ++k) {
+        solve(point(k, first_degree));
+    }
+    for (int degree = 2 * first_degree; degree <= last_degree; degree *= 2) {
+        std::vector<double> foreseen;
+        for (int k = 1; k < degree; k += 2) {
+            foreseen.push_back(interpolated(point(k, degree)));
+        }
+        interpolation_error_ = 0.0;
+        for (int k = 1; k < degree; k += 2) {
+            const double speed = point(k, degree);
+            solve(speed);
+            const auto same = std::find_if(solved_.begin(), solved_.end(),
+                                           [&](const Solved& each) { return each.speed == speed; });
+            interpolation_error_ = std::max(
+                interpolation_error_,
+                std::abs(foreseen[static_cast<std::size_t>(k / 2)] / same->value.end_factor - 1.0));
+        }
+        if (interpolation_error_ <= 0.3 * accuracy_) {
+            return;
+        }
+    }
+    reached_ = false;
+}
+
+void EndFactorCurve::solve(double speed) {
+    const double share = interpolates_ ? 0.5 : 1.0;
+    const CreepingTorque found =
+        creeping_torque(bob_, law_, speed, {.accuracy = share * accuracy_}, progress_);
+    const Solved solved{speed,
+                        {.end_factor = found.end_factor,
+                         .relative_error = found.error / found.torque,
+                         .lower = found.lower / found.torque * found.end_factor,
+                         .upper = found.upper / found.torque * found.end_factor}};
+    solved_.insert(
+        std::upper_bound(solved_.begin(), solved_.end(), speed,
+                         [](double value, const Solved& each) { return value < each.speed; }),
+        solved);
+    levels_ = std::max(levels_, found.levels);
+    newton_steps_ += found.newton_steps;
+    unknowns_ = std::max(unknowns_, found.unknowns);
+    reached_ = reached_ && found.reached;
+}
+
+/// Barycentric formula on Chebyshev points of the second kind, in ln speed.
+double EndFactorCurve::interpolated(double speed) const {
+    double above = 0.0;
+    double below = 0.0;
+    for (std::size_t k = 0; k < solved_.size(); ++k) {
+        const double distance = std::log(speed / solved_[k].speed);
+        if (std::abs(distance) < 1e-13) {
+            return solved_[k].value.end_factor;
+        }
+        const bool at_end = k == 0 || k + 1 == solved_.size();
+        const double weight = (k % 2 == 0 ? 1.0 : -1.0) * (at_end ? 0.5 : 1.0) / distance;
+        above += weight * std::log(solved_[k].value.end_factor);
+        below += weight;
+    }
+    return std::exp(above / below);
+}
+
+EndFactorCurve::Value EndFactorCurve::at(double speed) const {
+    const double magnitude = std::abs(speed);
+    if (is_homogeneous(law_)) {
+        return solved_.front().value;
+    }
+    const auto near = std::min_element(solved_.begin(), solved_.end(),
+                                       [&](const Solved& one, const Solved& other) {
+                                           return std::abs(std::log(one.speed / magnitude)) <
+                                                  std::abs(std::log(other.speed / magnitude));
+                                       });
+    if (!interpolates_) {
+        return near->value;
+    }
+    double worst = 0.0;
+    for (const Solved& each : solved_) {
+        worst = std::max(worst, each.value.relative_error);
+    }
+    const bool solved_here = std::abs(near->speed / magnitude - 1.0) < 1e-9;
+    return {.end_factor = interpolated(magnitude),
+            .relative_error = worst + interpolation_error_,
+            .lower = solved_here ? near->value.lower : 0.0,
+            .upper = solved_here ? near->value.upper : 0.0};
+}
+
+} // namespace searle::solvers::axisymmetric

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "solvers/axisymmetric/creeping_swirl.hpp"
+
+#include <span>
+#include <vector>
+
+namespace searle::solvers::axisymmetric {
+
+/// c_L of one bob and fluid over a range of speeds, without inertia. A Newtonian or power-law fluid
+/// has one value; others are solved at each speed, or for many speeds at Chebyshev points of ln c_L
+/// over ln speed, whose number is doubled until the curve no longer moves.
+class EndFactorCurve {
+public:
+    /// @param speeds    rad/s; signs are left out, zeros are skipped
+    /// @param accuracy  asked-for relative error of the torque
+    EndFactorCurve(const geometry::DinBob& bob, const laws::flow::AnyFlowLaw& law,
+                   std::span<const double> speeds, double accuracy, const ProgressSink& progress);
+
+    struct Value {
+        double end_factor = 1.0;
+        double relative_error{};
+        double lower{}; ///< bounds of c_L where it was solved at this very speed, else 0
+        double upper{};
+    };
+    /// At one of the speeds given, != 0.
+    [[nodiscard]] Value at(double speed) const;
+
+    [[nodiscard]] int solutions() const { return static_cast<int>(solved_.size()); }
+    [[nodiscard]] int levels() const { return levels_; }
+    [[nodiscard]] long newton_steps() const { return newton_steps_; }
+    [[nodiscard]] long unknowns() const { return unknowns_; }
+    /// False when a solution or the curve is less accurate than was asked.
+    [[nodiscard]] bool reached() const { return reached_; }
+
+private:
+    struct Solved {
+        double speed;
+        Value value;
+    };
+    void solve(double speed);
+    [[nodiscard]] double interpolated(double speed) const;
+
+    const geometry::DinBob& bob_;
+    const laws::flow::AnyFlowLaw& law_;
+    double accuracy_;
+    const ProgressSink& progress_;
+    std::vector<Solved> solved_; ///< by growing speed; the Chebyshev points where interpolated
+    bool interpolates_{};
+    double interpolation_error_{};
+    int levels_{};
+    long newton_steps_{};
+    long unknowns_{};
+    bool reached_ = true;
+};
+
+} // namespace searle::solvers::axisymmetric
