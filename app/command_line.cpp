@@ -36,6 +36,7 @@ public:
         program_.set_help_flag("-h,--help", "Print this text");
         program_.require_subcommand(1);
         program_.get_formatter()->column_width(34);
+        program_.get_formatter()->label("SUBCOMMAND", "VERB");
         program_.footer("Example: searle run cases/single-gap-water.toml\n"
                         "`searle VERB --help` tells more about a verb.\n"
                         "Exit codes: 0 done, 1 fault, 2 wrong usage or case file, 3 accuracy not "
@@ -74,6 +75,7 @@ private:
     CLI::App* add(const char* name, const char* purpose, const char* example,
                   std::shared_ptr<Options> options, int (*verb)(const Options&)) {
         CLI::App* app = program_.add_subcommand(name, purpose);
+        app->group("Verbs");
         app->footer(fmt::format("Example: searle {} {}", name, example));
         app->callback([this, options, verb] { chosen_ = [=] { return verb(*options); }; });
         return app;
@@ -121,6 +123,23 @@ private:
         add_path(app, "CASE", options->case_file, "Case file (TOML)")->required();
         add_overrides(app, options->overrides);
     }
+    void add_convert() {
+        auto options = std::make_shared<ConvertOptions>();
+        CLI::App* app =
+            add("convert", "Turn measured torque and speed into stress and rate",
+                "lab.csv --case cases/din-bob-water.toml -o rheogram.csv", options, convert);
+        add_path(app, "DATA", options->data_file,
+                 "Measured data: delimited text, or a spreadsheet exported by TRIOS (.xls)")
+            ->required();
+        add_path(app, "--case", options->case_file, "Case file with the instrument")->required();
+        add_path(app, "-o,--output", options->output, "Table to write; default standard output");
+        app->add_option_function<std::string>(
+               "--step", [options](const std::string& text) { options->step = text; },
+               "Only this step of a spreadsheet, by name or number")
+            ->type_name("STEP");
+        add_overrides(app, options->overrides);
+        app->add_flag("--quiet", options->quiet, "Print no remarks");
+    }
     void add_report() {
         auto options = std::make_shared<ReportOptions>();
         CLI::App* app = add("report", "Make report.html again from a result folder",
@@ -148,12 +167,13 @@ private:
     void add_doctor() {
         CLI::App* app = program_.add_subcommand(
             "doctor", "Say which engines and libraries are there, and what is missing");
+        app->group("Verbs");
         app->footer("Example: searle doctor");
         app->callback([this] { chosen_ = doctor; });
     }
     void add_later(const char* name, const char* purpose) {
-        CLI::App* app = program_.add_subcommand(
-            name, fmt::format("{} (not in version {})", purpose, program_version()));
+        CLI::App* app = program_.add_subcommand(name, purpose);
+        app->group(fmt::format("Not in version {}", program_version()));
         app->footer(fmt::format("This version of Searle does not have `{}`.", name));
         app->allow_extras();
         app->callback([this, name] {
@@ -166,13 +186,13 @@ private:
             };
         });
     }
-    void add_convert();
 
-    CLI::App program_{"A virtual rheometer: a case file in, a rheogram with error bars out", "searle"};
+    CLI::App program_{"A virtual rheometer: a case file in, a rheogram with error bars out",
+                      "searle"};
     Verb chosen_;
 };
 
-int wrong_usage(const std::string& message) {
+int refuse(const std::string& message) {
     std::fputs(fmt::format("searle: {}\n", message).c_str(), stderr);
     return ExitCode::wrong_usage;
 }
@@ -189,16 +209,15 @@ int run_command_line(int count, const char* const* words) {
     const std::vector<std::string> verbs = grammar.verb_names();
     if (!first.starts_with('-') && std::find(verbs.begin(), verbs.end(), first) == verbs.end()) {
         const auto meant = casefile::nearest_name(first, verbs);
-        return wrong_usage(fmt::format("there is no verb '{}'{}; `searle --help` lists them", first,
-                                       meant ? fmt::format(" (did you mean '{}'?)", *meant) : ""));
+        return refuse(fmt::format("there is no verb '{}'{}; `searle --help` lists them", first,
+                                  meant ? fmt::format(" (did you mean '{}'?)", *meant) : ""));
     }
     try {
         grammar.program().parse(count, words);
     } catch (const CLI::Success& asked) { // --help and --version
         return grammar.program().exit(asked);
     } catch (const CLI::Error& error) {
-        return wrong_usage(
-            fmt::format("{}; `searle {} --help` shows the usage", error.what(), first));
+        return refuse(fmt::format("{}; `searle {} --help` shows the usage", error.what(), first));
     }
     return with_failures_told(grammar.chosen());
 }

@@ -1,6 +1,7 @@
 #include "app/command_line.hpp"
 
 #include <fcntl.h>
+#include <initializer_list>
 #include <unistd.h>
 
 namespace {

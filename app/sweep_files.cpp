@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <string_view>
 
 namespace searle::app {
@@ -55,17 +54,18 @@ std::string combined_table(const std::vector<RunRecord>& runs) {
 } // namespace
 
 std::vector<std::string> swept_keys_of(const std::vector<Case>& cases) {
-    std::set<std::string> keys;
-    for (const Case& each : cases)
-        for (const auto& [key, value] : each.written)
-            if (key != "title" && value != written_value(cases.front(), key))
-                keys.insert(key);
-    for (const auto& [key, value] : cases.front().written)
-        if (key != "title" && std::any_of(cases.begin(), cases.end(), [&](const Case& each) {
-                return written_value(each, key) != value;
-            }))
-            keys.insert(key);
-    return {keys.begin(), keys.end()};
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : cases.front().written) {
+        const bool everywhere = std::all_of(cases.begin(), cases.end(), [&](const Case& each) {
+            return each.written.contains(key);
+        });
+        const bool differs = std::any_of(cases.begin(), cases.end(), [&](const Case& each) {
+            return written_value(each, key) != value;
+        });
+        if (key != "title" && everywhere && differs)
+            keys.push_back(key);
+    }
+    return keys;
 }
 
 SweepRecord sweep_record(const std::vector<SolvedCase>& solved, const std::vector<Case>& all_cases,

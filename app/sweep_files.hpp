@@ -26,7 +26,8 @@ struct SweepRecord {
 /// Reads a sweep's result folder again. Throws as read_record does.
 [[nodiscard]] SweepRecord read_sweep_record(const std::filesystem::path& folder);
 
-/// Dotted keys in which the cases of a sweep differ, as the user wrote them, sorted.
+/// Dotted keys that all cases of a sweep have and in which they differ, sorted. What only some have
+/// (another protocol's keys) is told by the cases' names.
 [[nodiscard]] std::vector<std::string> swept_keys_of(const std::vector<Case>& cases);
 
 } // namespace searle::app

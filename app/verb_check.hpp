@@ -11,8 +11,8 @@ struct CheckOptions {
     std::vector<std::string> overrides; ///< "key=value" texts of --set
 };
 
-/// `searle check CASE.toml`: reads and validates only; prints what was understood to stdout and
-/// faults to stderr. Returns the exit code: 0, or 2 for a faulty case.
+/// `searle check CASE.toml`: reads and validates only; prints what was understood to stdout, a line
+/// for each case of a sweep. Returns 0; throws CaseError for a faulty case.
 [[nodiscard]] int check(const CheckOptions& options);
 
 } // namespace searle::app

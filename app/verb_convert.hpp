@@ -12,18 +12,19 @@ struct ConvertOptions {
     std::filesystem::path data_file;
     std::filesystem::path case_file;
     std::vector<std::string> overrides; ///< "key=value" texts of --set
-    /// Where the table goes; absent: stdout. A file that is there is replaced, as a whole, at the end.
+    /// Where the table goes; absent: stdout. A file that is there is replaced, as a whole, at the
+    /// end.
     std::optional<std::filesystem::path> output;
-    /// Only this step of a spreadsheet: its name, or its number as in the name ("3" for "Flow sweep - 3").
+    /// Only this step of a spreadsheet: its name, or its number as in the name ("3" for "Flow sweep
+    /// - 3").
     std::optional<std::string> step;
     bool quiet = false; ///< no remarks on stderr
 };
 
 /// `searle convert DATA --case CASE.toml [-o OUT.csv] [--step NAME]`: measured torque and speed to
-/// stress and rate, by the definition of the case (docs/conversion.md). The table goes to the output,
-/// the definition and remarks to stderr. Returns the exit code 0.
-/// Throws CaseError, rheometry::TableError, OutputPlaceError and OutputWriteError; nothing is written
-/// then.
+/// stress and rate, by the definition of the case (docs/conversion.md). The table goes to the
+/// output, the definition and remarks to stderr. Returns the exit code 0. Throws CaseError,
+/// rheometry::TableError, OutputPlaceError and OutputWriteError; nothing is written then.
 [[nodiscard]] int convert(const ConvertOptions& options);
 
 } // namespace searle::app

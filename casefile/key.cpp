@@ -44,7 +44,7 @@ std::string item_text(const Takes& takes) {
     std::string text = joined(parts, "or");
     const std::string bounds = bounds_text(takes);
     if (!bounds.empty())
-        text += " " + bounds;
+        text += fmt::format("{}{}", text.empty() ? "" : ", ", bounds);
     std::vector<std::string> names;
     for (const Word& word : takes.words)
         names.push_back(fmt::format("\"{}\"", word.name));
@@ -125,11 +125,15 @@ Key& Key::at_most(const std::string& bound) {
     return *this;
 }
 Key& Key::not_in_new() {
-    in_new = false;
+    is_in_new = false;
     return *this;
 }
 Key& Key::given_in_new() {
-    needed_in_new = true;
+    is_needed_in_new = true;
+    return *this;
+}
+Key& Key::offered_in_new() {
+    is_offered_in_new = true;
     return *this;
 }
 

@@ -65,10 +65,11 @@ struct Key {
     bool is_required = false;
     /// As a user would write it; for a key with a default that default, in its usual unit.
     std::string example_text;
-    std::string default_note;    ///< for a default that other keys decide
-    std::string word_for_absent; ///< the word that stands for an empty optional: "auto"
-    bool in_new = true;          ///< stands in the case that `searle new` prints
-    bool needed_in_new = false;  ///< not required, and yet given there
+    std::string default_note;       ///< for a default that other keys decide
+    std::string word_for_absent;    ///< the word that stands for an empty optional: "auto"
+    bool is_in_new = true;          ///< stands in the case that `searle new` prints
+    bool is_needed_in_new = false;  ///< not required, and yet given there
+    bool is_offered_in_new = false; ///< stands there behind '#'
     Binding binding;
     std::shared_ptr<const KeySet> table;
 
@@ -96,6 +97,7 @@ struct Key {
     Key& at_most(const std::string& bound);
     Key& not_in_new();
     Key& given_in_new();
+    Key& offered_in_new();
 };
 
 /// A key whose value decides which further keys the section has ("type", "model").

@@ -19,6 +19,22 @@ std::string listed(const std::vector<std::string>& names) {
     return text;
 }
 
+bool has_key(const KeySet& keys, const std::string& name) {
+    if (keys.find(name))
+        return true;
+    return keys.selector &&
+           std::any_of(keys.selector->alternatives.begin(), keys.selector->alternatives.end(),
+                       [&name](const auto& one) { return one.keys->find(name) != nullptr; });
+}
+
+/// "fluid.density" for a density that stands elsewhere; empty when no section has such a key.
+std::string section_with(const KeySet& whole_file, const std::string& name) {
+    for (const Key& section : whole_file.keys)
+        if (section.takes.table && has_key(*section.table, name))
+            return fmt::format("{}.{}", section.name, name);
+    return {};
+}
+
 /// Reads one table; knows which keys it may hold.
 class TableReader {
 public:
@@ -83,13 +99,6 @@ private:
               nearest ? fmt::format("\"{}\"", *nearest) : "");
     }
 
-    [[nodiscard]] bool is_known_to_any_alternative(const std::string& name) const {
-        if (!keys_.selector)
-            return false;
-        return std::any_of(keys_.selector->alternatives.begin(), keys_.selector->alternatives.end(),
-                           [&name](const auto& one) { return one.keys->find(name) != nullptr; });
-    }
-
     [[nodiscard]] std::vector<std::string> valid_names() const {
         std::vector<std::string> names;
         const auto add = [&names](const KeySet& keys) {
@@ -115,7 +124,7 @@ private:
         if (const Key* key = keys_.find(entry.key))
             return read_key(*key, entry, target_);
         const std::string path = path_to(path_, entry.key);
-        if (is_known_to_any_alternative(entry.key)) {
+        if (has_key(keys_, entry.key)) {
             if (chosen_)
                 fault(entry.key_place, path,
                       fmt::format("is not used with {} = \"{}\"", keys_.selector->name,
@@ -126,8 +135,11 @@ private:
         const std::vector<std::string> names = valid_names();
         const std::string_view kind = path_.empty() ? "section" : "key";
         const bool is_section = path_.empty() && entry.value.kind == Node::Kind::table;
+        std::string meant = nearest_name(entry.key, names).value_or("");
+        if (meant.empty() && reading_.whole_file)
+            meant = section_with(*reading_.whole_file, entry.key);
         fault(entry.key_place, path, fmt::format("there is no such {}", is_section ? kind : "key"),
-              listed(names), nearest_name(entry.key, names).value_or(""));
+              listed(names), std::move(meant));
     }
 
     void read_key(const Key& key, const Entry& entry, void* target) {

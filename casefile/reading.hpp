@@ -19,6 +19,8 @@ struct Reading {
     std::set<std::string> faulty;               ///< keys without a usable value
     /// False when lines were left out because of their syntax: a missing key may stand on one.
     bool reports_missing_keys = true;
+    /// The keys of the whole file, for the section that a misplaced key belongs to; may be null.
+    const KeySet* whole_file = nullptr;
 };
 
 /// Handed to the checks of a set of keys: keys are named relative to that set.

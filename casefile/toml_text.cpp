@@ -159,18 +159,26 @@ std::string without_scope(std::string_view description) {
     return std::string{description};
 }
 
-/// The user wrote key = 14 mm, which needs quotes.
-bool is_unquoted_quantity(std::string_view line) {
+/// What stands right of the '=', without a comment.
+std::string_view value_of_line(std::string_view line) {
     std::string_view value = without_indent(line.substr(std::min(line.size(), line.find('=') + 1)));
-    if (value.empty() || !(std::isdigit(static_cast<unsigned char>(value[0])) || value[0] == '-' ||
-                           value[0] == '+' || value[0] == '.'))
-        return false;
     value = value.substr(0, value.find('#'));
-    return std::any_of(value.begin(), value.end(),
-                       [](char sign) {
-                           return std::isalpha(static_cast<unsigned char>(sign)) || sign == '%';
-                       }) &&
-           value.find('"') == std::string_view::npos;
+    while (value.ends_with(' ') || value.ends_with('\t'))
+        value.remove_suffix(1);
+    return value;
+}
+
+/// The user wrote 14 mm or steady where "14 mm" or "steady" was meant.
+bool lacks_quotes(std::string_view value) {
+    const auto is_letter = [](char sign) {
+        return std::isalpha(static_cast<unsigned char>(sign)) != 0 || sign == '%';
+    };
+    return std::any_of(value.begin(), value.end(), is_letter) &&
+           value.find_first_of("\"'[]{}") == std::string_view::npos;
+}
+
+bool has_open_quote(std::string_view value) {
+    return std::count(value.begin(), value.end(), '"') % 2 != 0;
 }
 
 struct SyntaxError {
@@ -213,16 +221,17 @@ SyntaxError syntax_error(const toml::parse_error& error, const SourcePointer& so
     }
 
     result.fault.places.push_back({source, result.line, std::max(1, column), 1});
-    if (is_unquoted_quantity(line) && !key.empty()) {
-        std::string_view value = without_indent(std::string_view{line}.substr(line.find('=') + 1));
-        value = value.substr(0, value.find('#'));
-        while (value.ends_with(' ') || value.ends_with('\t'))
-            value.remove_suffix(1);
+    const std::string_view value = value_of_line(line);
+    if (!key.empty() && (lacks_quotes(value) || has_open_quote(value))) {
+        const bool no_quotes = lacks_quotes(value);
         result.fault.places.front() = start_of_line(source, result.line, line.size());
         result.fault.problem =
-            fmt::format("{} is not TOML: a number with a unit stands in quotes", value);
-        result.fault.suggestion = fmt::format("{} = \"{}\"", key, value);
-        result.stands_alone = true;
+            fmt::format("{} is not TOML: {}", value,
+                        no_quotes ? "a text, and a number with a unit, stand in quotes"
+                                  : "a quote is not closed");
+        if (no_quotes)
+            result.fault.suggestion = fmt::format("{} = \"{}\"", key, value);
+        result.stands_alone = value.find("\"\"\"") == std::string_view::npos;
         return result;
     }
     result.fault.problem = "not TOML: " + description;

@@ -100,6 +100,20 @@ bool holds_loose_number(std::string_view unit) {
     return false;
 }
 
+/// UDUNITS reads "m) and more" as m, and '@' as a shift of the origin.
+bool is_well_formed(std::string_view spelling) {
+    int open = 0;
+    for (const char sign : spelling) {
+        if (sign == '(')
+            ++open;
+        if (sign == ')' && --open < 0)
+            return false;
+        if (!std::isalnum(static_cast<unsigned char>(sign)) && !std::strchr("_.*/^-+ ()%", sign))
+            return false;
+    }
+    return open == 0;
+}
+
 void split_off_power_of_ten(Unit& unit) {
     const int exponent = static_cast<int>(std::lround(std::log10(std::abs(unit.factor))));
     const double rest = unit.factor / std::pow(10.0, exponent);
@@ -135,6 +149,8 @@ private:
         if (holds_loose_number(text))
             return UnknownUnit{"holds a number"};
         const std::string spelling = udunits_spelling(text);
+        if (!is_well_formed(spelling))
+            return UnknownUnit{"is not known"};
         const std::unique_ptr<ut_unit, FreeUnit> parsed{
             ut_parse(system_.get(), spelling.c_str(), UT_ASCII)};
         Collected collected;

@@ -19,19 +19,6 @@ std::optional<Value> loaded(const Key& key, const void* target) {
     return value;
 }
 
-/// The example's text when it is this very value: then it is in the unit that people use.
-std::string usual_text(const Key& key, const Value& value) {
-    const std::string example = example_as_toml(key);
-    const auto source = Source::of_override(example);
-    if (const auto node = example.empty() ? std::nullopt : parse_toml_value(example, source, 1)) {
-        Reading reading;
-        const std::optional<Value> read = read_value(key, *node, key.name, reading);
-        if (read && same_value(*read, value))
-            return example;
-    }
-    return value_as_toml(key, value);
-}
-
 class Writer {
 public:
     explicit Writer(WritingStyle style) : annotated_{style == WritingStyle::annotated} {}
@@ -80,7 +67,7 @@ private:
 
     void write_values(const KeySet& keys, const void* target) {
         for (const Key& key : keys.keys) {
-            if (annotated_ && !key.in_new)
+            if (annotated_ && !key.is_in_new)
                 continue;
             if (const std::optional<Value> value = loaded(key, target))
                 line(fmt::format("{} = {}", key.name,
@@ -90,7 +77,7 @@ private:
                 line(fmt::format("{} = {}", key.name,
                                  inline_table(*key.table, key.binding.look(target))),
                      comment_of(key));
-            else if (annotated_ && key.binding.load && !key.example_text.empty())
+            else if (annotated_ && key.is_offered_in_new)
                 line(fmt::format("# {} = {}", key.name, example_as_toml(key)), comment_of(key));
         }
     }
@@ -105,7 +92,7 @@ private:
 
     void write_tables(const KeySet& keys, const void* target, const std::string& path) {
         for (const Key& key : keys.keys) {
-            if (annotated_ && !key.in_new)
+            if (annotated_ && !key.is_in_new)
                 continue;
             const std::string key_path = path.empty() ? key.name : path + "." + key.name;
             if (key.takes.table && !key.binding.store) {
@@ -142,6 +129,18 @@ private:
 };
 
 } // namespace
+
+std::string usual_text(const Key& key, const Value& value) {
+    const std::string example = example_as_toml(key);
+    const auto source = Source::of_override(example);
+    if (const auto node = example.empty() ? std::nullopt : parse_toml_value(example, source, 1)) {
+        Reading reading;
+        const std::optional<Value> read = read_value(key, *node, key.name, reading);
+        if (read && same_value(*read, value))
+            return example;
+    }
+    return value_as_toml(key, value);
+}
 
 std::string quoted(const std::string& text) {
     std::string result = "\"";

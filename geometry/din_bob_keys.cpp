@@ -55,6 +55,7 @@ casefile::Keys<DinBobAsWritten> din_bob_keys() {
         .at_most("1000 m")
         .example("15.2 mm")
         .defaults_to("none; this or radius_ratio is given")
+        .offered_in_new()
         .says("Radius of the cup, in place of radius_ratio.");
     keys.key(
             "length_ratio", [](auto& written) -> auto& { return written.bob.length_ratio; })

@@ -20,7 +20,7 @@ PlanItem inertia_item(const Scene& scene, const Forecast& forecast, bool transie
             row_of_largest(forecast, [&](std::size_t i) { return forecast.facts[i].largest_lag; });
         return {
             "inertia", false,
-            fmt::format("It is at most {} of the stress at any row (row {}, t = {:.4g} s), less "
+            fmt::format("Its part of the stress is {} at the most (row {}, t = {:.4g} s), less "
                         "than a hundredth of the asked accuracy of {}: each row is a steady flow.",
                         percent(forecast.facts[worst].largest_lag), worst + 1,
                         forecast.rows[worst].time, percent(scene.solver.accuracy))};

@@ -164,16 +164,18 @@ double rotor_wall_stress_per_torque(const geometry::Instrument& instrument, doub
 }
 
 std::string describe(const Conversion& conversion, const geometry::Instrument& instrument) {
-    const bool turns = geometry::rotates(instrument);
-    if (!turns)
-        return fmt::format("force over area and speed over gap, c_L = {}: {:.9g} Pa per N, {:.9g} "
-                           "1/s per m/s",
-                           conversion.end_factor, conversion.stress_per_torque,
-                           conversion.rate_per_speed);
+    if (!geometry::rotates(instrument))
+        return fmt::format(
+            "{} (force over area, speed over gap), c_L = {}: {:.9g} Pa per N, {:.9g} 1/s "
+            "per m/s",
+            name_of(conversion.definition), conversion.end_factor, conversion.stress_per_torque,
+            conversion.rate_per_speed);
+    const std::string_view meaning = std::holds_alternative<geometry::DoubleGap>(instrument)
+                                         ? "exact for a Newtonian fluid in both gaps together"
+                                         : meaning_of(conversion.definition);
     return fmt::format("{} ({}), c_L = {}: {:.9g} Pa per N m, {:.9g} 1/s per rad/s",
-                       name_of(conversion.definition), meaning_of(conversion.definition),
-                       conversion.end_factor, conversion.stress_per_torque,
-                       conversion.rate_per_speed);
+                       name_of(conversion.definition), meaning, conversion.end_factor,
+                       conversion.stress_per_torque, conversion.rate_per_speed);
 }
 
 } // namespace searle::rheometry

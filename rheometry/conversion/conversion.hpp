@@ -36,9 +36,9 @@ enum class RateDefinition {
 
 /// What the case file asks for; an absent definition means the instrument's default.
 struct ConversionSettings {
-    std::optional<RateDefinition> definition;
+    std::optional<RateDefinition> definition{};
     /// c_L, > 0; absent means the instrument's default (1.10 for the DIN bob, else 1).
-    std::optional<double> end_factor;
+    std::optional<double> end_factor{};
     /// c_L is to be computed for this bob and fluid.
     bool end_factor_computed = false;
 };

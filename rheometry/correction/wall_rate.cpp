@@ -14,6 +14,9 @@ namespace searle::rheometry {
 namespace {
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t fewest_points = 5;
+/// Of ln(speed), for a slope to mean anything.
+constexpr double narrowest_range = 0.4;
 /// The yield stress is fitted to points whose stress is at most this many times the stress where
 /// the fluid at the cup starts to move if the slowest point is just at the yield stress.
 constexpr double fit_range = 3.0;
@@ -240,16 +243,22 @@ std::string_view name_of(GapBranch branch) {
     return {};
 }
 
+WallRates no_rates(std::size_t rows) {
+    WallRates result;
+    result.rows.assign(rows, {not_known, not_known, GapBranch::unknown});
+    return result;
+}
+
 WallRates wall_rates(std::span<const double> speeds, std::span<const double> bob_stresses,
                      double delta) {
     if (bob_stresses.size() != speeds.size())
         throw std::invalid_argument("wall_rates: as many stresses as speeds");
     if (!(delta > 1.0))
         throw std::invalid_argument("wall_rates: the ratio of the radii must be above 1");
-    WallRates result;
-    result.rows.assign(speeds.size(), {not_known, not_known, GapBranch::unknown});
+    WallRates result = no_rates(speeds.size());
     const FlowCurve curve = merged_curve(speeds, bob_stresses);
-    if (curve.size() < 5)
+    if (curve.size() < fewest_points ||
+        curve.log_omega.back() - curve.log_omega.front() < narrowest_range)
         return result;
 
     const std::vector<SlopedPoint> points = sloped_points(curve, delta);

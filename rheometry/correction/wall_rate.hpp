@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -35,6 +36,9 @@ struct WallRates {
     double yield_standard_error{};
 };
 
+/// Nothing known, for as many rows.
+[[nodiscard]] WallRates no_rates(std::size_t rows);
+
 /// True shear rate at the bob of a single gap from measured speeds and stresses alone, for any
 /// fluid that flows steadily and does not slip (docs/conversion.md).
 ///
@@ -46,8 +50,8 @@ struct WallRates {
 /// within two standard errors of it the branch is unknown and the rate is the mean of both, the
 /// standard error covering them.
 ///
-/// Rows at rest, or whose torque does not resist, give no rate. Fewer than 5 different speeds give
-/// none at all: the slope of the curve is not known then.
+/// Rows at rest, or whose torque does not resist, give no rate. Fewer than 5 different speeds, or
+/// speeds within a factor of 1.5, give none at all: the slope of the curve is not known then.
 /// @param speeds        rad/s; ups and downs are taken as one curve
 /// @param bob_stresses  Pa, as many, with the sign of the speed
 /// @param delta         R_cup / R_bob, > 1

@@ -1,6 +1,7 @@
 #include "rheometry/report/cylinder_drawing.hpp"
 
 #include "rheometry/report/half_section.hpp"
+#include "rheometry/report/rich_text.hpp"
 
 #include <algorithm>
 #include <array>

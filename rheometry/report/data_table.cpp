@@ -3,10 +3,12 @@
 #include "rheometry/report/number_text.hpp"
 #include "rheometry/report/quantity.hpp"
 #include "rheometry/report/regime_shading.hpp"
+#include "rheometry/report/rich_text.hpp"
 #include "rheometry/report/thinning.hpp"
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace searle::rheometry::report {
@@ -38,6 +40,7 @@ std::string percent_encoded(std::string_view bytes) {
 struct Column {
     Quantity quantity;
     DisplayUnit unit;
+    std::optional<int> decimals; ///< for what the drive prescribes
 };
 
 std::string header_cell(const QuantityLook& look, const DisplayUnit& unit) {
@@ -71,10 +74,17 @@ std::string data_table(const ReportInput& input, int number, std::size_t most_ro
     const auto& points = input.rheogram.points;
     const bool rotates = geometry::rotates(input.instrument);
     std::vector<Column> columns;
+    const std::vector<std::size_t> rows = thinned_evenly(points.size(), most_rows);
     const auto add_column = [&](Quantity quantity) {
         const QuantityLook look = look_of(quantity, rotates);
-        columns.push_back(
-            {quantity, display_unit(look.si_unit, largest_value(input.rheogram, quantity))});
+        Column column{quantity, display_unit(look.si_unit, largest_value(input.rheogram, quantity)),
+                      std::nullopt};
+        std::vector<double> values;
+        for (const std::size_t k : rows) {
+            values.push_back(value_of(points[k], quantity) * column.unit.per_si);
+        }
+        column.decimals = common_decimals(values);
+        columns.push_back(column);
     };
     if (input.transient) {
         add_column(Quantity::time);
@@ -84,7 +94,6 @@ std::string data_table(const ReportInput& input, int number, std::size_t most_ro
         add_column(quantity);
     }
 
-    const std::vector<std::size_t> rows = thinned_evenly(points.size(), most_rows);
     constexpr std::size_t most_open_rows = 40;
     std::string out = points.size() <= most_open_rows ? "<details open>" : "<details>";
     out += "<summary><b>Table " + std::to_string(number) + ".</b> All data (" +
@@ -113,8 +122,14 @@ std::string data_table(const ReportInput& input, int number, std::size_t most_ro
             const bool has_error = column.quantity == Quantity::torque ||
                                    column.quantity == Quantity::shear_stress ||
                                    column.quantity == Quantity::viscosity;
-            out += "<td>" + (has_error ? rounded_to_error(value, error) : significant(value, 7)) +
-                   "</td>";
+            out += "<td>";
+            if (has_error) {
+                out += rounded_to_error(value, error);
+            } else {
+                out += column.decimals ? with_decimals(value, *column.decimals)
+                                       : significant(value, 7);
+            }
+            out += "</td>";
             if (column.quantity == Quantity::shear_stress) {
                 out += "<td class=\"quiet\">" + significant_padded(error, 2) + "</td>";
             }

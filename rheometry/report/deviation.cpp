@@ -2,6 +2,7 @@
 
 #include "rheometry/report/number_text.hpp"
 #include "rheometry/report/regime_shading.hpp"
+#include "rheometry/report/rich_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +47,20 @@ Deviation largest_deviation(const Rheogram& rheogram, const StressOfRate& law) {
     return out;
 }
 
+DeviationParts deviation_parts(const ReportInput& input) {
+    constexpr double visible = 1e-6;
+    DeviationParts parts;
+    if (!input.fluid.true_stress) {
+        return parts;
+    }
+    for (const RheogramPoint& point : input.rheogram.points) {
+        const DeviationPoint deviation = deviation_of(point, input.fluid.true_stress);
+        parts.inertia = parts.inertia || (input.transient && std::abs(deviation.inertia) > visible);
+        parts.convention = parts.convention || std::abs(deviation.definition) > visible;
+    }
+    return parts;
+}
+
 bool deviation_matters(const ReportInput& input) {
     const double largest = largest_deviation(input.rheogram, input.fluid.true_stress).largest;
     return largest > std::max(input.accuracy, 1e-6);
@@ -67,8 +82,6 @@ Plot deviation_plot(const ReportInput& input, const CurveView& flow_view) {
     definition.name = RichText{"part of the convention"};
     definition.colour = 2;
     definition.stroke = Stroke::dotted;
-    double largest_inertia = 0.0;
-    double largest_definition = 0.0;
     for (const RheogramPoint& point : input.rheogram.points) {
         const DeviationPoint deviation = deviation_of(point, input.fluid.true_stress);
         const double rate = point.shear_rate * flow_view.x_unit.per_si;
@@ -80,12 +93,6 @@ Plot deviation_plot(const ReportInput& input, const CurveView& flow_view) {
         inertia.y.push_back(percent * deviation.inertia);
         definition.x.push_back(rate);
         definition.y.push_back(percent * deviation.definition);
-        if (std::isfinite(deviation.inertia)) {
-            largest_inertia = std::max(largest_inertia, std::abs(deviation.inertia));
-        }
-        if (std::isfinite(deviation.definition)) {
-            largest_definition = std::max(largest_definition, std::abs(deviation.definition));
-        }
     }
     total.tip = [&input](std::size_t k) {
         const RheogramPoint& point = input.rheogram.points[k];
@@ -93,12 +100,18 @@ Plot deviation_plot(const ReportInput& input, const CurveView& flow_view) {
                "\n\u03b7/\u03b7_law \u2212 1 = " +
                relative_text(deviation_of(point, input.fluid.true_stress).total, 4);
     };
-    Axis rates = x_axis(flow_view, suitable_scale(total.x));
-    if (!has_positive_pair(input.rheogram, Quantity::shear_rate, Quantity::shear_rate)) {
-        rates.scale = Scale::linear;
-    }
-    plot.x = rates;
+    const bool positive =
+        has_positive_pair(input.rheogram, Quantity::shear_rate, Quantity::shear_rate);
+    plot.x = x_axis(flow_view, positive ? Scale::logarithmic : Scale::linear);
     plot.y.scale = suitable_scale(total.y);
+    if (plot.y.scale == Scale::logarithmic) {
+        // A deviation far below the accuracy is noise.
+        const double least = percent * std::max(input.accuracy, 1e-6) * 1e-2;
+        const double lowest = *std::min_element(total.y.begin(), total.y.end());
+        if (lowest < least) {
+            plot.y.low = least;
+        }
+    }
     plot.y.name.italic("\u03b7").upright("/").italic("\u03b7").subscript("law").upright(
         " \u2212 1 (%)");
     plot.zero_line = plot.y.scale == Scale::linear;
@@ -108,13 +121,14 @@ Plot deviation_plot(const ReportInput& input, const CurveView& flow_view) {
         total.thin = true;
         total.shows_direction = true;
     }
-    if (largest_inertia > 1e-6 && input.transient) {
+    plot.series.push_back(std::move(total));
+    const DeviationParts parts = deviation_parts(input);
+    if (parts.inertia) {
         plot.series.push_back(std::move(inertia));
     }
-    if (largest_definition > 1e-6) {
+    if (parts.convention) {
         plot.series.push_back(std::move(definition));
     }
-    plot.series.push_back(std::move(total));
     return plot;
 }
 

@@ -12,6 +12,13 @@ struct Deviation {
 };
 [[nodiscard]] Deviation largest_deviation(const Rheogram& rheogram, const StressOfRate& law);
 
+/// Which parts of the deviation can be seen (above 1e-6 somewhere).
+struct DeviationParts {
+    bool inertia{};
+    bool convention{};
+};
+[[nodiscard]] DeviationParts deviation_parts(const ReportInput& input);
+
 /// True when the deviation exceeds the accuracy asked for.
 [[nodiscard]] bool deviation_matters(const ReportInput& input);
 

@@ -1,5 +1,6 @@
 #include "rheometry/report/drafting.hpp"
 
+#include "rheometry/report/rich_text.hpp"
 #include "rheometry/report/svg_style.hpp"
 
 #include <algorithm>

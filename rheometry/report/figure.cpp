@@ -49,12 +49,13 @@ Figure FigureBuilder::finish(std::string caption) {
         }
         const std::string where = plot.letter.empty() ? "" : " in (" + plot.letter + ")";
         notes += " " + counted(drawn.dropped_points, "point") + " not shown" + where +
-                 (is_logarithmic(plot) ? ": zero, negative or undefined on a logarithmic axis."
+                 (is_logarithmic(plot) ? ": undefined, zero, negative or far below all others on a "
+                                         "logarithmic axis."
                                        : ": undefined.");
     }
     if (thinned > 0) {
         notes += " For legibility " + counted(thinned, "marker") +
-                 " that would lie upon others are left out; lines go through all points.";
+                 " that would lie upon others are left out; the data file has all points.";
     }
     figure.caption = std::move(caption) + notes;
     return figure;

@@ -3,6 +3,7 @@
 #include "rheometry/report/deviation.hpp"
 #include "rheometry/report/flow_series.hpp"
 #include "rheometry/report/regime_shading.hpp"
+#include "rheometry/report/rich_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,23 +36,38 @@ RateRange all_rates(const ReportInput& input) {
     return range;
 }
 
-bool inertia_shows(const ReportInput& input) {
-    return std::any_of(input.rheogram.points.begin(), input.rheogram.points.end(),
-                       [](const RheogramPoint& point) {
-                           const double share = point.shear_stress / point.steady_stress - 1.0;
-                           return std::isfinite(share) && std::abs(share) > 5e-3;
-                       });
+// Whether the inertia-free curve is another than the flow law's, and than the computed one.
+bool inertia_free_differs(const ReportInput& input) {
+    constexpr double visible = 5e-3;
+    const auto differs = [](double stress, double other) {
+        const double share = stress / other - 1.0;
+        return std::isfinite(share) && std::abs(share) > visible;
+    };
+    const auto& points = input.rheogram.points;
+    const bool from_computed =
+        std::any_of(points.begin(), points.end(), [&](const RheogramPoint& point) {
+            return differs(point.shear_stress, point.steady_stress);
+        });
+    const StressOfRate& law = input.fluid.true_stress;
+    return from_computed &&
+           (!law || std::any_of(points.begin(), points.end(), [&](const RheogramPoint& point) {
+               return differs(std::abs(point.steady_stress), law(std::abs(point.shear_rate)));
+           }));
 }
 
 void add_flow_curves(Plot& plot, const ReportInput& input, const CurveView& view) {
     const RateRange range = all_rates(input);
     const Scale rate_scale = plot.x.scale;
     const double lowest = rate_scale == Scale::logarithmic ? range.lowest_positive : range.lowest;
+    for (Series& series : computed_series(input.rheogram, input.conversion, view, input.transient,
+                                          RichText{"virtual instrument"}, 0)) {
+        plot.series.push_back(std::move(series));
+    }
     if (input.fluid.true_stress) {
         plot.series.push_back(
             law_series(input.fluid.true_stress, lowest, range.highest, view, rate_scale));
     }
-    if (input.transient && inertia_shows(input)) {
+    if (input.transient && inertia_free_differs(input)) {
         plot.series.push_back(inertia_free_series(input.rheogram, input.conversion, view));
     }
     int index = 0;
@@ -66,10 +82,6 @@ void add_flow_curves(Plot& plot, const ReportInput& input, const CurveView& view
             plot.series.push_back(std::move(series));
         }
         ++colour;
-    }
-    for (Series& series : computed_series(input.rheogram, input.conversion, view, input.transient,
-                                          RichText{"virtual instrument"}, 0)) {
-        plot.series.push_back(std::move(series));
     }
     add_regimes(plot, input.rheogram, view, input.transient);
 }
@@ -128,9 +140,11 @@ Figure rheogram_figure(const ReportInput& input) {
         add(Scale::logarithmic, "rheogram-log");
     }
     Figure figure = builder.finish("");
-    std::string caption = "Rheogram: shear stress <i>\u03c4</i> over shear rate " +
-                          std::string{rate_symbol} + " in the convention " +
-                          std::string{name_of(input.conversion.definition)};
+    std::string caption =
+        "Rheogram: shear stress <i>\u03c4</i> over shear rate " + std::string{rate_symbol};
+    if (rotates) {
+        caption += " in the convention " + std::string{name_of(input.conversion.definition)};
+    }
     caption += figure.panels.size() > 1 ? ", on linear (a) and logarithmic (b) axes." : ".";
     caption += error_bar_sentence(input, builder.longest_error_bar());
     caption += loop_sentence(input);
@@ -161,12 +175,16 @@ Figure viscosity_figure(const ReportInput& input) {
                   " (b) Deviation of the apparent viscosity from the flow law; largest " +
                   relative_text(deviation.largest, 3) + " at " + std::string{rate_symbol} + " = " +
                   quantity_text(deviation.at_rate, "1/s", 4) + ".";
-        caption += input.transient
-                       ? " It has two parts: the inertia of the fluid, <i>\u03c4</i>/<i>\u03c4</i>"
-                         "<sub>steady</sub> \u2212 1, and the convention, which reads one rate and "
-                         "one stress from a gap that has many."
-                       : " The flow is steady, so it comes from the convention, which reads one "
-                         "rate and one stress from a gap that has many.";
+        const DeviationParts parts = deviation_parts(input);
+        const std::string inertia =
+            "the inertia of the fluid, <i>\u03c4</i>/<i>\u03c4</i><sub>steady</sub> \u2212 1";
+        const std::string convention =
+            "the convention, which reads one rate and one stress from a gap that has many";
+        if (parts.inertia && parts.convention) {
+            caption += " It has two parts: " + inertia + ", and " + convention + ".";
+        } else if (parts.inertia || parts.convention) {
+            caption += " It comes from " + (parts.inertia ? inertia : convention) + ".";
+        }
     }
     return builder.finish(std::move(caption));
 }

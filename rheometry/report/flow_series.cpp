@@ -1,6 +1,7 @@
 #include "rheometry/report/flow_series.hpp"
 
 #include "rheometry/report/regime_shading.hpp"
+#include "rheometry/report/rich_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -222,6 +223,7 @@ Series measured_series(const MeasuredSeries& measured, const CurveView& view, in
     series.colour = colours[index % 4];
     series.marker = markers[index % 4];
     series.open_marker = true;
+    series.reports_error_bars = false;
     const std::size_t count = std::min(measured.shear_rate.size(), measured.shear_stress.size());
     for (std::size_t k = 0; k < count; ++k) {
         const double rate = measured.shear_rate[k];

@@ -1,5 +1,6 @@
 #include "rheometry/report/number_text.hpp"
 #include "rheometry/report/property_rows.hpp"
+#include "rheometry/report/rich_text.hpp"
 
 #include <algorithm>
 #include <array>

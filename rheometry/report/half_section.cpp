@@ -1,6 +1,7 @@
 #include "rheometry/report/half_section.hpp"
 
 #include "rheometry/report/number_text.hpp"
+#include "rheometry/report/rich_text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 
 #include "rheometry/report/flow_series.hpp"
 #include "rheometry/report/number_text.hpp"
+#include "rheometry/report/rich_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,12 +47,12 @@ Figure torque_figure(const ReportInput& input) {
     plot.x = x_axis(view, scale);
     plot.y = y_axis(view, scale);
     plot.zero_line = scale == Scale::linear;
-    if (input.transient) {
-        plot.series.push_back(inertia_free_series(input.rheogram, input.conversion, view));
-    }
     for (Series& series : computed_series(input.rheogram, input.conversion, view, input.transient,
                                           RichText{"virtual instrument"}, 0)) {
         plot.series.push_back(std::move(series));
+    }
+    if (input.transient) {
+        plot.series.push_back(inertia_free_series(input.rheogram, input.conversion, view));
     }
     add_regimes(plot, input.rheogram, view, input.transient);
     FigureBuilder builder;
@@ -106,6 +107,7 @@ Figure error_figure(const ReportInput& input) {
     plot.x.name = over_time ? axis_name(look_of(Quantity::time, true), second) : RichText{"Point"};
     plot.y.name = RichText{"Relative error of "}.italic("\u03c4");
     plot.y.scale = Scale::logarithmic;
+    plot.series.push_back(estimated);
     if (input.accuracy > 0.0 && !estimated.x.empty()) {
         Series asked;
         asked.name = RichText{"asked for"};
@@ -116,7 +118,6 @@ Figure error_figure(const ReportInput& input) {
         asked.y = {input.accuracy, input.accuracy};
         plot.series.push_back(std::move(asked));
     }
-    plot.series.push_back(std::move(estimated));
     FigureBuilder builder;
     builder.add(std::move(plot));
     return builder.finish(

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace searle::rheometry::report {
 
@@ -87,6 +88,46 @@ std::string rounded_to_error(double value, double error) {
     return significant_padded(value, static_cast<int>(digits));
 }
 
+std::optional<int> common_decimals(std::span<const double> values) {
+    constexpr int digits = 7;
+    constexpr double most_decades = 1e4;
+    double largest = 0.0;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const double value : values) {
+        if (!std::isfinite(value) || value == 0.0) {
+            continue;
+        }
+        largest = std::max(largest, std::abs(value));
+        smallest = std::min(smallest, std::abs(value));
+    }
+    if (largest < 1e-3 || largest >= 1e6 || largest > most_decades * smallest) {
+        return std::nullopt;
+    }
+    const int most = std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(largest))));
+    int needed = 0;
+    for (const double value : values) {
+        if (!std::isfinite(value)) {
+            continue;
+        }
+        std::string text = fmt::format("{:.{}f}", value, most);
+        drop_trailing_zeros(text);
+        const std::size_t point = text.find('.');
+        if (point != std::string::npos) {
+            needed = std::max(needed, static_cast<int>(text.size() - point) - 1);
+        }
+    }
+    return needed;
+}
+
+std::string with_decimals(double value, int decimals) {
+    if (!std::isfinite(value)) {
+        return "\u2013";
+    }
+    const std::string text = fmt::format("{:.{}f}", std::abs(value), decimals);
+    const bool is_zero = text.find_first_not_of("0.") == std::string::npos;
+    return value < 0.0 && !is_zero ? fmt::format("{}{}", minus_sign, text) : text;
+}
+
 std::string relative_text(double fraction, int digits) {
     if (!std::isfinite(fraction)) {
         return "\u2013";
@@ -160,11 +201,6 @@ std::string quantity_text(double value, std::string_view si_unit, int digits) {
     const DisplayUnit unit = display_unit(si_unit, value);
     const std::string number = significant(value * unit.per_si, digits);
     return unit.name.empty() ? number : number + "\u00a0" + unit.name;
-}
-
-RichText unit_text(std::string_view si_unit) {
-    const DisplayUnit unit = display_unit(si_unit, 0.0);
-    return RichText{unit.name};
 }
 
 } // namespace searle::rheometry::report

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "rheometry/report/rich_text.hpp"
-
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -18,7 +18,15 @@ namespace searle::rheometry::report {
 /// of the error, 3 to 15 digits in all; 10 digits where the error is 0 or unknown.
 [[nodiscard]] std::string rounded_to_error(double value, double error);
 
-/// A relative number as percent: "0.1 %", "1.2 × 10⁻⁶ %" never, below 0.001 % it is "1.2 × 10⁻⁸".
+/// As many decimals as the numbers of a column need to show seven significant digits of the
+/// largest, so that their points stand below each other; nothing where the column spans too many
+/// decades.
+[[nodiscard]] std::optional<int> common_decimals(std::span<const double> values);
+
+/// A number with a fixed count of decimals.
+[[nodiscard]] std::string with_decimals(double value, int decimals);
+
+/// A relative number as percent, "0.1 %"; below 1e-5 as a number, "1.2 × 10⁻⁸".
 [[nodiscard]] std::string relative_text(double fraction, int digits = 2);
 
 /// A unit for display: displayed number = SI number * per_si.
@@ -34,8 +42,5 @@ struct DisplayUnit {
 
 /// "1.0016 mPa s".
 [[nodiscard]] std::string quantity_text(double value, std::string_view si_unit, int digits = 6);
-
-/// A unit as people read it: "Pa.s^n" becomes Pa s with a superscript n.
-[[nodiscard]] RichText unit_text(std::string_view si_unit);
 
 } // namespace searle::rheometry::report

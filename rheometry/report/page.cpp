@@ -1,6 +1,7 @@
 #include "rheometry/report/page.hpp"
 
 #include "rheometry/report/page_style.hpp"
+#include "rheometry/report/prose.hpp"
 #include "rheometry/report/rich_text.hpp"
 #include "rheometry/report/svg_style.hpp"
 
@@ -45,7 +46,7 @@ std::string warning_box(const std::vector<std::string>& warnings) {
     out += warnings.size() == 1 ? "Warning" : "Warnings";
     out += "</b><ul>";
     for (const std::string& warning : warnings) {
-        out += "<li>" + escaped(warning) + "</li>";
+        out += "<li>" + prose_html(warning) + "</li>";
     }
     return out + "</ul></div>\n";
 }
@@ -53,7 +54,7 @@ std::string warning_box(const std::vector<std::string>& warnings) {
 std::string paragraphs(const std::vector<std::string>& texts) {
     std::string out;
     for (const std::string& text : texts) {
-        out += "<p>" + escaped(text) + "</p>\n";
+        out += "<p>" + prose_html(text) + "</p>\n";
     }
     return out;
 }

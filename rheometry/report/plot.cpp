@@ -3,6 +3,7 @@
 #include "rheometry/report/plot_axes.hpp"
 #include "rheometry/report/plot_legend.hpp"
 #include "rheometry/report/plot_series.hpp"
+#include "rheometry/report/rich_text.hpp"
 #include "rheometry/report/svg_path.hpp"
 #include "rheometry/report/svg_style.hpp"
 

@@ -38,10 +38,15 @@ struct Series {
     int colour = 0; ///< 0 ... series_colour_count - 1
     Marker marker = Marker::none;
     bool open_marker = false;
+    double marker_spacing =
+        0.0; ///< least distance of drawn markers, pixels; 0: as many as can be seen
     Stroke stroke = Stroke::none;
+    std::size_t most_line_points = 1500; ///< a longer line is drawn through a choice of its points
+    std::string line_tip;                ///< plain text shown when pointing at the line
     bool thin = false;
-    bool shows_direction = false; ///< arrows along the line
-    bool sets_range = true;       ///< false: cut at the axes that the others need
+    bool shows_direction = false;   ///< arrows along the line
+    bool reports_error_bars = true; ///< false: not part of DrawnPlot::longest_error_bar
+    bool sets_range = true;         ///< false: cut at the axes that the others need
 };
 
 /// A stretch of the x axis with a shade.

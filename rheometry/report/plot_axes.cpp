@@ -1,8 +1,13 @@
 #include "rheometry/report/plot_axes.hpp"
 
+#include "rheometry/report/rich_text.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace searle::rheometry::report {
 
@@ -48,6 +53,21 @@ struct Extent {
 constexpr double largest_drawable = 1e150;
 constexpr double smallest_positive = 1e-150;
 
+// A stress that passes through zero leaves a few points decades below all others, which would
+// squeeze these into a strip: up to a twentieth of the points are cut off below a jump of a
+// factor 30.
+std::vector<double> without_stragglers(std::vector<double> values) {
+    constexpr double jump = 30.0;
+    std::sort(values.begin(), values.end());
+    for (std::size_t k = values.size() / 20; k > 0; --k) {
+        if (values[k] > jump * values[k - 1]) {
+            values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(k));
+            break;
+        }
+    }
+    return values;
+}
+
 Extent data_extent(const Plot& plot, Direction direction) {
     const bool logarithmic =
         (direction == Direction::x ? plot.x : plot.y).scale == Scale::logarithmic;
@@ -56,6 +76,7 @@ Extent data_extent(const Plot& plot, Direction direction) {
                (axis.scale == Scale::linear || value > smallest_positive);
     };
     Extent extent;
+    std::vector<double> marked;
     for (const Series& series : plot.series) {
         if (!series.sets_range) {
             continue;
@@ -64,22 +85,35 @@ Extent data_extent(const Plot& plot, Direction direction) {
             if (!can_show(plot.x, series.x[k]) || !can_show(plot.y, series.y[k])) {
                 continue;
             }
+            const double value = direction == Direction::x ? series.x[k] : series.y[k];
+            if (logarithmic && series.marker != Marker::none) {
+                marked.push_back(value);
+            } else {
+                extent.include(value);
+            }
             if (direction == Direction::x) {
-                extent.include(series.x[k]);
                 continue;
             }
-            extent.include(series.y[k]);
             const double error = k < series.error.size() ? series.error[k] : 0.0;
             if (!std::isfinite(error) || error <= 0.0) {
                 continue;
             }
-            extent.include(series.y[k] + error);
+            if (logarithmic) {
+                marked.push_back(series.y[k] + error);
+            } else {
+                extent.include(series.y[k] + error);
+            }
             // A bar that reaches zero would stretch a logarithmic axis without end.
             const double lower = series.y[k] - error;
-            if (!logarithmic || lower > 0.2 * series.y[k]) {
+            if (!logarithmic) {
                 extent.include(lower);
+            } else if (lower > 0.2 * series.y[k]) {
+                marked.push_back(lower);
             }
         }
+    }
+    for (const double value : without_stragglers(std::move(marked))) {
+        extent.include(value);
     }
     return extent;
 }

@@ -2,6 +2,7 @@
 
 #include "rheometry/report/plot_axes.hpp"
 #include "rheometry/report/plot_series.hpp"
+#include "rheometry/report/rich_text.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,6 @@
 #include "rheometry/report/plot_series.hpp"
 
+#include "rheometry/report/rich_text.hpp"
 #include "rheometry/report/svg_style.hpp"
 #include "rheometry/report/thinning.hpp"
 
@@ -14,7 +15,6 @@ namespace searle::rheometry::report {
 namespace {
 
 constexpr std::size_t most_markers = 400;
-constexpr std::size_t most_line_points = 1500;
 
 int colour_index(int colour) {
     return ((colour % series_colour_count) + series_colour_count) % series_colour_count;
@@ -155,17 +155,18 @@ void draw_series_line(std::string& out, const Series& series, const AxisMap& x, 
     }
     const std::vector<Pixel> places = places_of(series, x, y);
     std::vector<Pixel> kept;
-    if (places.size() <= most_line_points) {
+    if (places.size() <= series.most_line_points) {
         kept = places;
     } else {
-        for (const std::size_t k : thinned_by_distance(places, most_line_points)) {
+        for (const std::size_t k : thinned_by_distance(places, series.most_line_points)) {
             kept.push_back(places[k]);
         }
     }
     out += "<path";
     attribute(out, "class", line_class(series));
     attribute(out, "d", path_through(kept));
-    out += "/>";
+    out +=
+        series.line_tip.empty() ? "/>" : "><title>" + escaped(series.line_tip) + "</title></path>";
     if (series.shows_direction) {
         draw_arrows(out, kept, colour_index(series.colour));
     }
@@ -190,7 +191,9 @@ SeriesOutcome draw_series_points(std::string& out, const Series& series, const A
         place.x = std::numeric_limits<double>::quiet_NaN();
         ++outcome.dropped_points;
     }
-    const std::vector<std::size_t> kept = thinned_by_distance(inside, most_markers);
+    const std::vector<std::size_t> kept = series.marker_spacing > 0.0
+                                              ? spaced_by(inside, series.marker_spacing)
+                                              : thinned_by_distance(inside, most_markers);
     outcome.thinned_points = places.size() - outcome.dropped_points - kept.size();
 
     std::string bars;
@@ -199,6 +202,9 @@ SeriesOutcome draw_series_points(std::string& out, const Series& series, const A
             draw_error_bar(bars, y, series.y[k], series.error[k], places[k].x,
                            outcome.longest_error_bar);
         }
+    }
+    if (!series.reports_error_bars) {
+        outcome.longest_error_bar = 0.0;
     }
     if (!bars.empty()) {
         out += "<path class=\"bar line-" + std::to_string(colour_index(series.colour)) + "\" d=\"" +

@@ -1,5 +1,7 @@
 #include "rheometry/report/quantity.hpp"
 
+#include "rheometry/report/rich_text.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -9,6 +9,7 @@
 #include "rheometry/report/number_text.hpp"
 #include "rheometry/report/page.hpp"
 #include "rheometry/report/property_rows.hpp"
+#include "rheometry/report/rich_text.hpp"
 #include "rheometry/report/validity_section.hpp"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ std::string range_text(const Rheogram& rheogram, Quantity quantity, bool rotates
         display_unit(look_of(quantity, rotates).si_unit, std::max(std::abs(low), std::abs(high)));
     const std::string from = significant(low * unit.per_si, 4);
     const std::string to = significant(high * unit.per_si, 4);
-    return (from == to ? to : from + " \u2013 " + to) + "\u00a0" + unit.name;
+    return (from == to ? to : from + (low < 0.0 ? " to " : " \u2013 ") + to) + "\u00a0" + unit.name;
 }
 
 std::string lead_paragraph(const ReportInput& input) {
@@ -52,7 +53,7 @@ std::string lead_paragraph(const ReportInput& input) {
     }
     out += ". ";
     if (geometry::rotates(input.instrument)) {
-        out += "Shear rates and stresses are those of the convention <b>" +
+        out += "Shear rates and stresses are those of the convention <b class=\"name\">" +
                std::string{name_of(input.conversion.definition)} +
                "</b> with end-effect factor <i>c</i><sub>L</sub> = " +
                significant(input.conversion.end_factor, 6) + ".";
@@ -75,7 +76,7 @@ std::vector<MainResult> results_of(const ReportInput& input) {
     results.push_back({"Apparent viscosity <i>\u03b7</i>",
                        range_text(input.rheogram, Quantity::viscosity, rotates),
                        std::isfinite(deviation.largest)
-                           ? "within " + relative_text(deviation.largest, 2) + " of the flow law"
+                           ? "up to " + relative_text(deviation.largest, 3) + " off the flow law"
                            : ""});
     const double error = largest_relative_error(input.rheogram);
     if (std::isfinite(error)) {
@@ -122,7 +123,9 @@ std::string render_report(const ReportInput& input) {
 
     Figure drawing;
     drawing.panels.push_back(geometry_drawing_for_page(input.instrument));
-    drawing.caption = "The instrument.";
+    drawing.caption = geometry::rotates(input.instrument)
+                          ? "The instrument. Orange: turns; grey: stands still; blue: fluid."
+                          : "The instrument. Orange: moving wall; grey: fixed wall; blue: fluid.";
     body += "<h2>Instrument and fluid</h2>\n<div class=\"columns\"><div>\n";
     body += figure_html(drawing, ++figure);
     body += "</div><div>\n";

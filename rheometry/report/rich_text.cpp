@@ -167,28 +167,6 @@ RichText& RichText::append(const RichText& other) {
     return *this;
 }
 
-std::string RichText::html() const {
-    std::string out;
-    for (const Run& run : runs_) {
-        const std::string text = escaped(run.text);
-        switch (run.style) {
-        case Style::upright:
-            out += text;
-            break;
-        case Style::italic:
-            out += "<i>" + text + "</i>";
-            break;
-        case Style::superscript:
-            out += "<sup>" + text + "</sup>";
-            break;
-        case Style::subscript:
-            out += "<sub>" + text + "</sub>";
-            break;
-        }
-    }
-    return out;
-}
-
 std::string RichText::svg(double font_size) const {
     std::string out;
     double raised = 0.0;

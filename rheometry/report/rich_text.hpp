@@ -6,7 +6,7 @@
 
 namespace searle::rheometry::report {
 
-/// A line of text with symbols and indices, to be written as HTML, as SVG or plain.
+/// A line of text with symbols and indices, to be written as SVG or plain.
 /// Every text is escaped on writing; input that is not valid UTF-8 is replaced by U+FFFD.
 class RichText {
 public:
@@ -22,7 +22,6 @@ public:
     RichText& append(const RichText& other);
 
     [[nodiscard]] bool empty() const { return runs_.empty(); }
-    [[nodiscard]] std::string html() const;
     /// Content of an SVG <text> element whose font size is `font_size` pixels.
     [[nodiscard]] std::string svg(double font_size) const;
     /// Letters only, escaped, for tooltips and attributes.

@@ -1,6 +1,8 @@
 #include "rheometry/report/number_text.hpp"
 #include "rheometry/report/property_rows.hpp"
+#include "rheometry/report/prose.hpp"
 #include "rheometry/report/quantity.hpp"
+#include "rheometry/report/rich_text.hpp"
 
 #include <cmath>
 
@@ -14,7 +16,7 @@ std::vector<PropertyRow> solution_rows(const ReportInput& input) {
         if (text.empty()) {
             return;
         }
-        rows.push_back({std::move(name), "", escaped(text) + source_note(input, key)});
+        rows.push_back({std::move(name), "", prose_html(text) + source_note(input, key)});
     };
     add_text("Engine", from.engine, "solver.engine");
     add_text("Model", from.model, "solver.model");

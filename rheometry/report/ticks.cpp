@@ -1,5 +1,7 @@
 #include "rheometry/report/ticks.hpp"
 
+#include "rheometry/report/rich_text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -149,6 +151,13 @@ TickMarks logarithmic_ticks(double low, double high, int most) {
     const auto is_labelled = [&](int exponent) {
         return ((exponent % stride) + stride) % stride == 0;
     };
+    int labelled_powers = 0;
+    for (int exponent = first; exponent <= last; ++exponent) {
+        if (is_labelled(exponent) && inside(std::pow(10.0, exponent))) {
+            ++labelled_powers;
+        }
+    }
+    const bool labels_between = decades < 1.5 || (labelled_powers < 2 && stride == 1);
     for (int exponent = first; exponent <= last; ++exponent) {
         for (int mantissa = 1; mantissa <= 9; ++mantissa) {
             const double value = exponent >= 0 ? mantissa * std::pow(10.0, exponent)
@@ -156,7 +165,7 @@ TickMarks logarithmic_ticks(double low, double high, int most) {
             if (!inside(value)) {
                 continue;
             }
-            const bool step_of_few = decades < 1.5 && (mantissa == 2 || mantissa == 5);
+            const bool step_of_few = labels_between && (mantissa == 2 || mantissa == 5);
             if ((mantissa == 1 && is_labelled(exponent)) || step_of_few) {
                 out.major.push_back({value, decade_label(mantissa, exponent, plain)});
             } else if (stride <= 2 || mantissa == 1) {
@@ -164,7 +173,7 @@ TickMarks logarithmic_ticks(double low, double high, int most) {
             }
         }
     }
-    return out;
+    return out.major.size() < 3 && decades < 1.0 ? linear_ticks(low, high, most) : out;
 }
 
 } // namespace searle::rheometry::report

@@ -1,7 +1,9 @@
 #include "rheometry/report/validity_section.hpp"
 
 #include "rheometry/report/number_text.hpp"
+#include "rheometry/report/prose.hpp"
 #include "rheometry/report/regime_shading.hpp"
+#include "rheometry/report/rich_text.hpp"
 
 #include <map>
 
@@ -36,7 +38,7 @@ std::string vortex_text(const VortexOnset& onset) {
     }
     out += ". ";
     if (!onset.basis.empty()) {
-        out += escaped(sentence(onset.basis)) + " ";
+        out += prose_html(sentence(onset.basis)) + " ";
     }
     return out + "Re = <i>R</i><sub>bob</sub> <i>\u03c9 d</i>/<i>\u03bd</i>.";
 }
@@ -68,9 +70,9 @@ std::string validity_section(const ReportInput& input, int table_number) {
     if (!has_validity(input)) {
         return "";
     }
-    std::string out = "<div class=\"table\"><table class=\"properties\"><caption><b>Table " +
-                      std::to_string(table_number) +
-                      ".</b> What was solved, and what was left out and why.";
+    std::string out =
+        "<div class=\"table\"><table class=\"properties validity\"><caption><b>Table " +
+        std::to_string(table_number) + ".</b> What was solved, and what was left out and why.";
     const std::string counts = regime_counts(input.rheogram);
     if (!counts.empty()) {
         out += " Points by regime: " + counts + ".";
@@ -78,7 +80,7 @@ std::string validity_section(const ReportInput& input, int table_number) {
     out += "</caption><tbody>\n";
     for (const ValidityNote& note : input.validity) {
         out += row(note.what, note.solved ? "\u2713\u00a0solved" : "\u25cb\u00a0left out",
-                   note.solved, escaped(sentence(note.reason)));
+                   note.solved, prose_html(sentence(note.reason)));
     }
     if (input.vortex_onset) {
         out += row("Onset of Taylor vortices", "", false, vortex_text(*input.vortex_onset));

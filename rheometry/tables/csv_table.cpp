@@ -177,7 +177,7 @@ CsvTable CsvTable::read(const std::filesystem::path& file) {
 }
 
 std::optional<std::size_t> CsvTable::find(std::string_view column_name) const {
-    const auto found = std::ranges::find(columns_, column_name, &Column::name);
+    const auto found = std::ranges::find(columns_, column_name, &Heading::name);
     if (found == columns_.end())
         return std::nullopt;
     return static_cast<std::size_t>(found - columns_.begin());

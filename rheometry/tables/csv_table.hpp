@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rheometry/tables/column_names.hpp"
 #include "rheometry/tables/table_error.hpp"
 
 #include <cstddef>
@@ -21,18 +22,14 @@ namespace searle::rheometry {
 /// fields at the end of a row are not counted.
 class CsvTable {
 public:
-    struct Column {
-        std::string name; ///< as in the header, without blanks around it
-        std::string unit; ///< of the unit line, without brackets; empty without one
-    };
-
     /// Throws TableError when the file cannot be read or is not such a table.
     [[nodiscard]] static CsvTable read(const std::filesystem::path& file);
     /// @param name  what messages call the table
     [[nodiscard]] static CsvTable parse(std::string_view bytes, std::string name);
 
     [[nodiscard]] const std::string& name() const { return name_; }
-    [[nodiscard]] const std::vector<Column>& columns() const { return columns_; }
+    /// Headings as in the header, without blanks around them, with the unit line's units.
+    [[nodiscard]] const std::vector<Heading>& columns() const { return columns_; }
     [[nodiscard]] char delimiter() const { return delimiter_; }
     [[nodiscard]] std::size_t rows() const { return lines_.size(); }
     /// Line of the file where a row starts, 1-based.
@@ -52,7 +49,7 @@ private:
     std::unique_ptr<std::string> text_;
     /// Owns quoted cells whose doubled quotes were undone.
     std::deque<std::string> unescaped_;
-    std::vector<Column> columns_;
+    std::vector<Heading> columns_;
     std::vector<std::string_view> cells_;
     std::vector<std::size_t> lines_;
     std::size_t header_line_ = 0;

@@ -31,6 +31,7 @@ constexpr std::array kinds{
     Kind{ColumnQuantity::shear_rate, {.time = -1}, "1/s"},
     Kind{ColumnQuantity::shear_stress, {.length = -1, .mass = 1, .time = -2}, "Pa, mPa, kPa"},
     Kind{ColumnQuantity::angle, {.angle = 1}, "rad, mrad, deg"},
+    Kind{ColumnQuantity::length, {.length = 1}, "mm, um, m"},
     Kind{ColumnQuantity::stress_constant, {.length = -3}, "Pa/(N.m)"},
     Kind{ColumnQuantity::strain_constant, {.angle = -1}, "1/rad"}};
 
@@ -47,7 +48,9 @@ std::string unambiguous(std::string_view unit) {
 
 std::optional<double> si_factor(ColumnQuantity quantity, std::string_view unit) {
     const std::string text = unambiguous(without_brackets(unit));
-    if (text.empty())
+    // UDUNITS prints a control character that it meets to standard output.
+    const auto is_control = [](char byte) { return static_cast<unsigned char>(byte) < 0x20; };
+    if (text.empty() || std::ranges::any_of(text, is_control))
         return std::nullopt;
     const auto found = casefile::unit_named(text);
     const casefile::Unit* const known = std::get_if<casefile::Unit>(&found);

@@ -15,6 +15,7 @@ enum class ColumnQuantity {
     shear_rate,
     shear_stress,
     angle,
+    length,
     stress_constant, ///< stress per torque
     strain_constant  ///< strain per angle
 };

@@ -39,6 +39,12 @@ void TableFaults::add(TableFault fault) {
         ++left_out_;
 }
 
+void TableFaults::add(const TableFaults& others) {
+    for (const TableFault& fault : others.kept_)
+        add(fault);
+    left_out_ += others.left_out_;
+}
+
 void TableFaults::throw_if_any() const {
     if (!kept_.empty())
         throw TableError(file_, kept_, left_out_);

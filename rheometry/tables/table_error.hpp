@@ -34,6 +34,7 @@ public:
     explicit TableFaults(std::string file) : file_(std::move(file)) {}
 
     void add(TableFault fault);
+    void add(const TableFaults& others);
     [[nodiscard]] bool empty() const { return kept_.empty(); }
     /// Throws the TableError of everything added so far, if there is anything.
     void throw_if_any() const;

@@ -15,6 +15,8 @@ constexpr double negligible_range = 30.0;
 /// distance pi the rule's error is below 1e-13. Further panels may grow since exp(ln rate) shrinks.
 constexpr double first_panel = 4.0;
 constexpr double panel_growth = 1.5;
+/// Not so where the law bends sharply: its poles stay as near however far from the wall.
+constexpr double sharp_panel_growth = 1.1;
 
 /// 1/2 integral of rate d ln(stress) over ln(rate) in [low, high].
 template <class Law>
@@ -24,6 +26,7 @@ double speed_integral(const Law& law, double low, double high) {
     double sum = 0.0;
     double top = high;
     double width = panel_scale;
+    const double growth = law.sharpness() > 2.0 ? sharp_panel_growth : panel_growth;
     while (top > low) {
         const double bottom = std::max(low, top - width);
         const double half = 0.5 * (top - bottom);
@@ -35,7 +38,7 @@ double speed_integral(const Law& law, double low, double high) {
         }
         sum += half * panel;
         top = bottom;
-        width *= panel_growth;
+        width *= growth;
     }
     return 0.5 * sum;
 }

@@ -5,21 +5,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace searle::solvers::radial {
 namespace {
 
 /// Level 0 at an asked accuracy of 1e-3; both scale with the accuracy by the scheme's order 4.
-constexpr double base_elements = 6.0;
-constexpr double base_tolerance = 1e-2;
+constexpr double base_elements = 3.0;
+constexpr double base_tolerance = 5e-2;
+constexpr double loosest_tolerance = 0.1;
 constexpr int order = 4;
 constexpr int most_levels = 9;
 constexpr int most_elements = 20000;
 /// Share of a neighbouring row's difference that counts at a row: the difference of two levels can
 /// pass through zero by accident.
 constexpr double neighbour_share = 0.5;
+/// Share of the level before's difference that counts, for the same reason. Where the level
+/// converges at all it has fallen by more than this.
+constexpr double earlier_share = 1.0 / 6.0;
 
 struct Level {
     std::vector<double> torque;
@@ -94,6 +97,14 @@ std::vector<double> differences(std::span<const double> fine, std::span<const do
     return widened;
 }
 
+/// The error bar while there is no second level to compare with.
+std::vector<double> whole(std::span<const double> torque) {
+    std::vector<double> size(torque.size());
+    std::transform(torque.begin(), torque.end(), size.begin(),
+                   [](double each) { return std::abs(each); });
+    return size;
+}
+
 /// Slope of the law where the layer forms: at the wall's rate of the steady flow at a speed.
 double tangent_viscosity(const GapShape& shape, const laws::flow::AnyFlowLaw& law, double speed) {
     const double magnitude = std::abs(speed);
@@ -144,11 +155,12 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
         layers.push_back(thinnest_layer(gap.shape, law, history));
     }
     const double finer = std::pow(1e-3 / accuracy, 1.0 / order);
-    int elements = std::max(4, static_cast<int>(std::lround(base_elements * finer)));
-    double tolerance = std::min(2.0 * base_tolerance, base_tolerance * accuracy / 1e-3);
+    int elements = std::max(3, static_cast<int>(std::lround(base_elements * finer)));
+    double tolerance = std::min(loosest_tolerance, base_tolerance * accuracy / 1e-3);
 
     TransientTorque result;
     std::vector<double> coarse;
+    std::vector<double> earlier;
     for (int level = 0; level < most_levels; ++level) {
         const std::string stage = "level " + std::to_string(level + 1) + ", " +
                                   std::to_string(elements) + " elements across the gap";
@@ -157,17 +169,15 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
                 progress(level == 0 ? 0.2 * fraction : 0.2 + 0.8 * fraction, stage);
             }
         };
-        Level found = run_level(gaps, law, history, layers, elements, 1 << level, tolerance, at);
+        Level found = run_level(gaps, law, history, layers, elements, 1 << std::max(0, level - 1),
+                                tolerance, at);
         result.linear_solves += found.linear_solves;
         result.levels = level + 1;
         if (found.interrupted || !found.finished) {
             result.interrupted = found.interrupted;
             if (level == 0) {
-                // No second level to compare with: the error bar is the whole torque.
                 result.torque = std::move(found.torque);
-                result.error.assign(result.torque.size(), 0.0);
-                std::transform(result.torque.begin(), result.torque.end(), result.error.begin(),
-                               [](double torque) { return std::abs(torque); });
+                result.error = whole(result.torque);
                 result.worst_relative_error = 1.0;
             }
             result.reached = false;
@@ -178,7 +188,12 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
         result.elements = elements;
         result.steps = found.steps;
         if (level > 0) {
-            result.error = differences(result.torque, coarse);
+            const std::vector<double> difference = differences(result.torque, coarse);
+            result.error = difference;
+            for (std::size_t k = 0; k < earlier.size(); ++k) {
+                result.error[k] = std::max(result.error[k], earlier_share * earlier[k]);
+            }
+            earlier = difference;
             const std::vector<double> scale = torque_scale(result.torque);
             result.worst_relative_error = 0.0;
             for (std::size_t k = 0; k < scale.size(); ++k) {
@@ -189,12 +204,13 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
                         std::max(result.worst_relative_error, result.error[k] / scale[k]);
                 }
             }
-            result.reached = result.worst_relative_error <= accuracy;
+            result.reached = level > 1 && result.worst_relative_error <= accuracy;
             if (result.reached || elements > most_elements / 2) {
                 break;
             }
         } else {
-            result.error.assign(result.torque.size(), std::numeric_limits<double>::infinity());
+            result.error = whole(result.torque);
+            result.worst_relative_error = 1.0;
         }
         coarse = result.torque;
         elements *= 2;

@@ -33,10 +33,11 @@ struct TransientTorque {
 [[nodiscard]] double thinnest_layer(const GapShape& shape, const laws::flow::AnyFlowLaw& law,
                                     const rheometry::SpeedHistory& history);
 
-/// Solves all gaps on finer and finer levels (elements doubled, step tolerance by sixteen, the
-/// order of the scheme) until two levels agree to `accuracy` at every row. The finer level's torque
-/// is the result and the difference of the two its error bar; for a converging level that is
-/// several times the true error.
+/// Solves all gaps on finer and finer levels, at least three (elements doubled, step tolerance by
+/// sixteen, the order of the scheme), until the error bars are within `accuracy` at every row. The
+/// finest level's torque is the result. Its bar is the difference from the level before, widened by
+/// the neighbouring rows' and by a share of the difference one level earlier, so that two levels that
+/// agree by accident are not believed; for a converging level it is several times the true error.
 [[nodiscard]] TransientTorque solve_levels(std::span<const RotorGap> gaps,
                                            const laws::flow::AnyFlowLaw& law,
                                            const rheometry::SpeedHistory& history, double accuracy,

@@ -107,6 +107,51 @@ TEST_F(Cases, box_water) {
     EXPECT_NEAR(rheogram.points.back().shear_stress, 0.10111, 1.1e-4);
 }
 
+/// Slope of the figure's ramps before 300 1/s, (1/s)/s.
+double slope_of(const std::string& run) {
+    if (run.starts_with("two-segments"))
+        return 150.0 / 5.0;
+    return 300.0 / std::stod(run);
+}
+
+TEST_F(Cases, figure_3) {
+    // 1 + T a/(shear rate) once the start, and in the two-segment ramps the change of slope, has
+    // decayed (slowest mode: exp(-pi^2 nu t/d^2), 4e-6 after 5 s in the 2 mm gap); T from the exact
+    // ramp.
+    const Outcome outcome =
+        searle({"run", (cases / "figure-3.toml").string(), "-o", "out"}, folder.path());
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(names_in(folder / "out"),
+              "17.5s,cup_radius=14.5mm 17.5s,cup_radius=15mm 17.5s,cup_radius=16mm "
+              "35s,cup_radius=14.5mm 35s,cup_radius=15mm 35s,cup_radius=16mm "
+              "8.75s,cup_radius=14.5mm 8.75s,cup_radius=15mm 8.75s,cup_radius=16mm "
+              "report.html rheograms.csv summary.json "
+              "two-segments,cup_radius=14.5mm two-segments,cup_radius=15mm "
+              "two-segments,cup_radius=16mm");
+    struct Gap {
+        std::string cup;
+        double lag; // s
+        double
+            vortex_rate; // 1/s, onset of Taylor vortices at the bob's wall; physics of docs/plan.md
+    };
+    for (const Gap& gap : {Gap{"14.5mm", 0.07879433, 1e9}, Gap{"15mm", 0.29957481, 178.6},
+                           Gap{"16mm", 1.08803282, 36.15}})
+        for (const char* run : {"35s", "17.5s", "8.75s", "two-segments"}) {
+            const std::string name = std::string(run) + ",cup_radius=" + gap.cup;
+            const Rheogram rheogram =
+                searle::rheometry::read_rheogram_csv(folder / ("out/" + name) / "rheogram.csv")
+                    .rheogram;
+            ASSERT_EQ(rheogram.points.size(), 60U) << name;
+            const RheogramPoint& last = rheogram.points.back();
+            EXPECT_NEAR(last.shear_rate, 300.0, 1e-9) << name;
+            expect_stress(last, water_viscosity * (300.0 + gap.lag * slope_of(run)), 1e-5);
+            for (const RheogramPoint& point : rheogram.points)
+                EXPECT_EQ(point.regime.find("taylor-vortices") != std::string::npos,
+                          point.shear_rate > gap.vortex_rate)
+                    << name << ' ' << point.shear_rate;
+        }
+}
+
 TEST_F(Cases, din_bob_water_checks_plans_and_converts) {
     const std::string file = (cases / "din-bob-water.toml").string();
     EXPECT_EQ(searle({"check", file}, folder.path()).exit_code, 0);

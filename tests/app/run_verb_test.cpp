@@ -2,6 +2,8 @@
 #include "rheometry/rheogram_csv.hpp"
 #include "tests/app/running.hpp"
 
+#include <numbers>
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -42,7 +44,7 @@ to = "50 1/s"
 duration = "10 s"
 points = 5
 [sweep]
-geometry.cup_radius = ["14.5 mm", "15 mm"]
+vary = { "geometry.cup_radius" = ["14.5 mm", "15 mm"] }
 )";
 
 TEST(RunVerb, writes_the_result_folder_and_says_where) {
@@ -155,7 +157,8 @@ TEST(RunVerb, summary_holds_what_the_contract_names) {
     EXPECT_EQ(summary.conversion.definition, "bob-wall");
     EXPECT_EQ(summary.conversion.end_factor, 1.0);
     // 1/(2 pi L R^2) and 2 delta^2/(delta^2 - 1) for 14/15/42 mm.
-    EXPECT_NEAR(summary.conversion.stress_per_torque, 19333.913, 1e-3);
+    EXPECT_NEAR(summary.conversion.stress_per_torque,
+                1.0 / (2.0 * std::numbers::pi * 0.042 * 0.014 * 0.014), 1e-9);
     EXPECT_NEAR(summary.conversion.rate_per_speed, 450.0 / 29.0, 1e-12);
     ASSERT_TRUE(summary.taylor.has_value());
     // Re = R omega d / nu at 100 1/s, nu = 1.0016e-3/998.2.

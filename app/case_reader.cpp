@@ -1,0 +1,162 @@
+#include "app/case_reader.hpp"
+
+#include "app/case_keys.hpp"
+#include "casefile/document.hpp"
+#include "casefile/reading.hpp"
+#include "casefile/sweep.hpp"
+#include "casefile/text_hash.hpp"
+#include "casefile/writing.hpp"
+
+#include <fmt/format.h>
+#include <set>
+#include <utility>
+
+namespace searle::app {
+namespace {
+
+constexpr std::string_view resolved_heading =
+    "# The case as resolved by searle: SI units, every default written out.\n\n";
+
+/// The faults of all cases of a file, each said once.
+class Complaints {
+public:
+    void add(std::vector<casefile::Fault> faults) {
+        for (casefile::Fault& fault : faults)
+            if (said_.insert(fault.text()).second)
+                faults_.push_back(std::move(fault));
+    }
+    void raise_if_any() {
+        if (!faults_.empty())
+            throw CaseError{std::move(faults_)};
+    }
+
+private:
+    std::set<std::string> said_;
+    std::vector<casefile::Fault> faults_;
+};
+
+Case finished(CaseAsWritten written, const casefile::Reading& reading, std::string name,
+              const std::filesystem::path& file) {
+    written.sweep.reset();
+    resolve(written);
+    Case result;
+    result.scene = scene_of(written);
+    result.name = std::move(name);
+    result.file = file;
+    result.resolved_toml =
+        std::string{resolved_heading} +
+        casefile::write_toml(*case_keys().set(), &written, casefile::WritingStyle::resolved);
+    result.hash = casefile::text_hash(result.resolved_toml);
+    for (const auto& [key, place] : reading.places)
+        if (place.source->is_file)
+            result.lines.emplace(key, place.line);
+    result.written = reading.written;
+    return result;
+}
+
+/// The section [sweep] of a file that has one.
+std::optional<casefile::Sweep> read_sweep(const casefile::Node& root, casefile::Reading& reading) {
+    const casefile::Entry* entry = root.find("sweep");
+    if (!entry || entry->value.kind != casefile::Node::Kind::table)
+        return std::nullopt;
+    casefile::Sweep sweep;
+    casefile::read_keys(*casefile::sweep_keys().set(), entry->value, "sweep", &sweep, reading);
+    return sweep;
+}
+
+/// The assignments of --set; faults for texts that are none, and for a sweep from outside the file.
+std::vector<casefile::Assignment> assignments_of(const std::vector<std::string>& overrides,
+                                                 std::vector<casefile::Fault>& faults) {
+    std::vector<casefile::Assignment> assignments;
+    for (const std::string& text : overrides)
+        casefile::parse_override(text, assignments, faults);
+    std::erase_if(assignments, [&faults](const casefile::Assignment& assignment) {
+        const bool sweeps = assignment.key == "sweep" || assignment.key.starts_with("sweep.");
+        if (sweeps)
+            faults.push_back({{assignment.key_place},
+                              assignment.key,
+                              "a sweep stands in the file",
+                              "keys of the other sections",
+                              ""});
+        return sweeps;
+    });
+    return assignments;
+}
+
+/// The trees of the file's cases, overrides included; empty when the sweep itself has a fault.
+std::vector<casefile::SweptCase> trees_of(const casefile::Document& document,
+                                          const std::filesystem::path& file,
+                                          const std::vector<std::string>& overrides,
+                                          Complaints& complaints) {
+    std::vector<casefile::Fault> faults;
+    const std::vector<casefile::Assignment> assignments = assignments_of(overrides, faults);
+    complaints.add(std::move(faults));
+    faults.clear();
+
+    casefile::Reading sweep_reading;
+    std::vector<casefile::SweptCase> trees;
+    if (const auto sweep = read_sweep(document.root, sweep_reading)) {
+        if (sweep_reading.faults.empty())
+            trees = casefile::cases_of(document.root, *sweep, assignments, faults);
+    } else {
+        trees.push_back({file.stem().string(), document.root});
+        for (const casefile::Assignment& assignment : assignments)
+            casefile::assign(trees.back().root, assignment, faults);
+    }
+    complaints.add(std::move(sweep_reading.faults));
+    complaints.add(std::move(faults));
+    return trees;
+}
+
+std::vector<Case> cases_in(const casefile::Document& document, const std::filesystem::path& file,
+                           const std::vector<std::string>& overrides) {
+    Complaints complaints;
+    complaints.add(document.syntax_faults);
+    std::vector<Case> cases;
+    for (casefile::SweptCase& one : trees_of(document, file, overrides, complaints)) {
+        casefile::Reading reading;
+        reading.reports_missing_keys = document.syntax_faults.empty();
+        reading.whole_file = case_keys().set().get();
+        CaseAsWritten written;
+        casefile::read_keys(*case_keys().set(), one.root, "", &written, reading);
+        const bool is_valid = reading.faults.empty() && document.syntax_faults.empty();
+        if (is_valid)
+            cases.push_back(finished(std::move(written), reading, std::move(one.name), file));
+        complaints.add(std::move(reading.faults));
+    }
+    complaints.raise_if_any();
+    return cases;
+}
+
+} // namespace
+
+std::vector<Case> read_cases_text(std::string_view text, std::string_view name,
+                                  const std::vector<std::string>& overrides) {
+    return cases_in(casefile::parse_document(text, std::string{name}), name, overrides);
+}
+
+std::vector<Case> read_cases(const std::filesystem::path& file,
+                             const std::vector<std::string>& overrides) {
+    const std::string text = casefile::read_case_text(file);
+    return cases_in(casefile::parse_document(text, file.string()), file, overrides);
+}
+
+Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+    const std::string text = casefile::read_case_text(file);
+    const casefile::Document document = casefile::parse_document(text, file.string());
+    std::vector<Case> cases = cases_in(document, file, overrides);
+    const casefile::Entry* sweep = document.root.find("sweep");
+    if (!sweep)
+        return std::move(cases.front());
+    std::string names;
+    for (const Case& one : cases)
+        if (names.size() < 200)
+            names += fmt::format("{}{}", names.empty() ? "" : "  ", one.name);
+    throw CaseError{{{{sweep->key_place},
+                      "sweep",
+                      fmt::format("the file holds {} cases, where one is needed", cases.size()),
+                      fmt::format("a file without [sweep]; its cases are {}", names),
+                      ""}}};
+}
+
+} // namespace searle::app

@@ -1,0 +1,103 @@
+#include "app/verb_schema.hpp"
+
+#include "app/case_keys.hpp"
+#include "app/exit_code.hpp"
+#include "casefile/reference.hpp"
+
+#include <cstdio>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace searle::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json bound_json(const std::optional<casefile::Bound>& bound) {
+    if (!bound)
+        return nullptr;
+    return {{"value", bound->value}, {"text", bound->text}, {"included", bound->included}};
+}
+
+Json row_json(const casefile::ReferenceRow& row) {
+    Json words = Json::array();
+    for (const casefile::Word& word : row.words)
+        words.push_back({{"name", word.name}, {"meaning", word.meaning}});
+    return {{"key", row.key},
+            {"section", row.section},
+            {"condition", row.condition.empty() ? Json(nullptr) : Json(row.condition)},
+            {"type", row.type},
+            {"units", row.units},
+            {"required", row.is_required},
+            {"default", row.is_required ? Json(nullptr) : Json(row.default_text)},
+            {"lower", bound_json(row.lower)},
+            {"upper", bound_json(row.upper)},
+            {"choices", words},
+            {"meaning", row.meaning},
+            {"example", row.example.empty() ? Json(nullptr) : Json(row.example)}};
+}
+
+constexpr std::string_view markdown_heading =
+    "# Case file reference\n"
+    "\n"
+    "Every key of a case file. Made by `searle schema --markdown` from the declarations that the\n"
+    "program itself reads with.\n"
+    "\n"
+    "A dimensional value is a text with a unit (`\"14 mm\"`, `\"1.0016 mPa.s\"`, `\"100 1/s\"`); "
+    "units are\n"
+    "those of UDUNITS-2, and also `cP`, `P`, `deg`, `rev/min`, `mNm`, `mPas`, `mM`. `1/min` is a "
+    "turn per\n"
+    "minute. A consistency K has the unit `Pa.s^n`, whatever n is. A pure number is a number. An\n"
+    "unknown key is an error, and so is a key that the chosen type or model does not use.\n"
+    "\n"
+    "`--set key=value` replaces a value: `--set geometry.cup_radius=\"16 mm\"`; items of lists "
+    "count from\n"
+    "1: `--set protocol.segments.2.to=\"50 1/s\"`.\n";
+
+constexpr std::string_view sweep_example =
+    "\n"
+    "A sweep is a study in one file:\n"
+    "\n"
+    "```toml\n"
+    "[sweep]\n"
+    "vary = { \"geometry.cup_radius\" = [\"15 mm\", \"16 mm\"], \"protocol.duration\" = [\"35 s\", "
+    "\"70 s\"] }\n"
+    "\n"
+    "[[sweep.runs]]\n"
+    "name = \"as-given\"\n"
+    "\n"
+    "[[sweep.runs]]\n"
+    "name = \"two-segments\"\n"
+    "set = { protocol = { type = \"segments\", segments = [\n"
+    "  { to = \"150 1/s\", duration = \"70 s\" }, { to = \"300 1/s\", duration = \"35 s\" } ] } }\n"
+    "```\n"
+    "\n"
+    "Each run is combined with every combination of the varied values. A section in `set` is "
+    "merged key\n"
+    "by key, unless it names its `type` or `model`: then it takes the section's place. `--set` "
+    "applies to\n"
+    "every case, and must leave the swept keys alone.\n";
+
+} // namespace
+
+int schema(const SchemaOptions& options) {
+    const auto rows = casefile::reference_rows(*case_keys().set());
+    switch (options.format) {
+    case SchemaFormat::text:
+        fmt::print("{}", casefile::reference_text(rows));
+        break;
+    case SchemaFormat::markdown:
+        fmt::print("{}{}{}", markdown_heading, casefile::reference_markdown(rows), sweep_example);
+        break;
+    case SchemaFormat::json: {
+        Json keys = Json::array();
+        for (const casefile::ReferenceRow& row : rows)
+            keys.push_back(row_json(row));
+        fmt::print("{}\n", Json{{"keys", keys}}.dump(2));
+        break;
+    }
+    }
+    return 0;
+}
+
+} // namespace searle::app

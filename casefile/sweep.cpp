@@ -1,0 +1,236 @@
+#include "casefile/sweep.hpp"
+
+#include "casefile/reading.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fmt/format.h>
+#include <set>
+
+namespace searle::casefile {
+namespace {
+
+constexpr std::size_t most_cases = 10000;
+constexpr std::size_t longest_name = 120;
+
+bool is_plain(char sign) {
+    return std::isalnum(static_cast<unsigned char>(sign)) != 0 ||
+           std::string_view{"._-+=,"}.find(sign) != std::string_view::npos;
+}
+
+/// "14.5 mm" -> "14.5mm", "100 1/s" -> "100_per_s".
+std::string plain_name(std::string_view value) {
+    std::string name;
+    for (std::size_t at = 0; at < value.size(); ++at) {
+        if (value.substr(at).starts_with(" 1/")) {
+            name += "_per_";
+            at += 2;
+        } else if (value[at] == '/') {
+            name += "_per_";
+        } else if (value[at] == '%') {
+            name += "percent";
+        } else if (is_plain(value[at])) {
+            name += value[at];
+        }
+    }
+    return name;
+}
+
+std::string last_part(std::string_view key) {
+    const std::size_t dot = key.rfind('.');
+    return std::string{dot == std::string_view::npos ? key : key.substr(dot + 1)};
+}
+
+/// One list of values for one key.
+struct Variation {
+    std::string key;
+    Place key_place;
+    std::vector<Node> values;
+    std::string label; ///< in names
+
+    [[nodiscard]] std::string name_of(std::size_t at) const {
+        const Node& value = values[at];
+        const bool is_scalar = value.kind != Node::Kind::table && value.kind != Node::Kind::list;
+        const std::string text =
+            plain_name(value.kind == Node::Kind::text ? value.text : value.described());
+        return fmt::format("{}={}", label, is_scalar ? text : std::to_string(at + 1));
+    }
+};
+
+/// The assignments of a table: a quoted dotted key as it is, a table key by key, so that
+/// geometry.cup_radius with and without quotes mean the same.
+void collect(const Node& table, const std::string& path, std::vector<Assignment>& assignments) {
+    for (const Entry& entry : table.entries)
+        assignments.push_back(
+            {path.empty() ? entry.key : path + "." + entry.key, entry.key_place, entry.value});
+}
+
+class Expansion {
+public:
+    Expansion(const Node& root, const Sweep& sweep, const std::vector<Assignment>& overrides,
+              std::vector<Fault>& faults)
+        : sweep_{sweep}, overrides_{overrides}, faults_{faults}, base_{root} {
+        std::erase_if(base_.entries, [](const Entry& entry) { return entry.key == "sweep"; });
+    }
+
+    std::vector<SweptCase> all() {
+        if (sweep_.vary)
+            find_variations(*sweep_.vary, "");
+        label_variations();
+        refuse_doubled_overrides();
+        std::size_t count = std::max<std::size_t>(1, sweep_.runs.size());
+        for (const Variation& variation : variations_) {
+            count *= variation.values.size();
+            if (count > most_cases) {
+                fault(variation.key_place, "sweep.vary", "the sweep has too many cases",
+                      fmt::format("at most {}", most_cases));
+                return {};
+            }
+        }
+        if (sweep_.runs.empty() && variations_.empty() && faults_.empty())
+            fault(base_.place, "sweep", "the sweep names no case", "vary, or [[sweep.runs]]");
+        if (!faults_.empty())
+            return {};
+        std::vector<SweptCase> cases;
+        if (sweep_.runs.empty())
+            vary({"", base_}, 0, cases);
+        for (const SweepRun& run : sweep_.runs)
+            vary({run.name, with(run)}, 0, cases);
+        refuse_doubled_names(cases);
+        return cases;
+    }
+
+private:
+    void fault(const Place& place, std::string key, std::string problem, std::string allowed) {
+        faults_.push_back({{place}, std::move(key), std::move(problem), std::move(allowed), ""});
+    }
+
+    void find_variations(const Node& table, const std::string& path) {
+        for (const Entry& entry : table.entries) {
+            const std::string key = path.empty() ? entry.key : path + "." + entry.key;
+            if (entry.value.kind == Node::Kind::table)
+                find_variations(entry.value, key);
+            else if (entry.value.kind == Node::Kind::list && !entry.value.items.empty())
+                variations_.push_back({key, entry.key_place, entry.value.items, last_part(key)});
+            else
+                fault(entry.value.place, "sweep.vary",
+                      fmt::format("{} = {} is no list of values", key, entry.value.described()),
+                      "a list with at least one value");
+        }
+    }
+
+    void label_variations() {
+        for (Variation& variation : variations_) {
+            const auto same =
+                std::count_if(variations_.begin(), variations_.end(), [&](const auto& other) {
+                    return last_part(other.key) == last_part(variation.key);
+                });
+            variation.label = plain_name(same > 1 ? variation.key : last_part(variation.key));
+        }
+    }
+
+    void refuse_doubled_overrides() {
+        std::vector<Assignment> swept;
+        for (const Variation& variation : variations_)
+            swept.push_back({variation.key, variation.key_place, {}});
+        for (const SweepRun& run : sweep_.runs)
+            if (run.set)
+                collect(*run.set, "", swept);
+        for (const Assignment& override_ : overrides_)
+            for (const Assignment& assignment : swept) {
+                const auto within = [](const std::string& inner, const std::string& outer) {
+                    return inner == outer || inner.starts_with(outer + ".");
+                };
+                if (!within(override_.key, assignment.key) &&
+                    !within(assignment.key, override_.key))
+                    continue;
+                faults_.push_back({{override_.key_place, assignment.key_place},
+                                   override_.key,
+                                   "is set by the sweep too",
+                                   "keys that the sweep leaves alone",
+                                   ""});
+                break;
+            }
+    }
+
+    Node with(const SweepRun& run) {
+        Node root = base_;
+        std::vector<Assignment> assignments;
+        if (run.set)
+            collect(*run.set, "", assignments);
+        for (const Assignment& assignment : assignments)
+            assign(root, assignment, faults_);
+        return root;
+    }
+
+    void vary(const SweptCase& start, std::size_t depth, std::vector<SweptCase>& cases) {
+        if (depth == variations_.size()) {
+            cases.push_back(start);
+            for (const Assignment& override_ : overrides_)
+                assign(cases.back().root, override_, faults_);
+            return;
+        }
+        const Variation& variation = variations_[depth];
+        for (std::size_t at = 0; at < variation.values.size(); ++at) {
+            SweptCase next{start.name, start.root};
+            assign(next.root, {variation.key, variation.key_place, variation.values[at]}, faults_);
+            next.name += fmt::format("{}{}", next.name.empty() ? "" : ",", variation.name_of(at));
+            vary(next, depth + 1, cases);
+        }
+    }
+
+    void refuse_doubled_names(const std::vector<SweptCase>& cases) {
+        std::set<std::string> names;
+        for (const SweptCase& one : cases) {
+            if (one.name.size() > longest_name)
+                fault(base_.place, "sweep", fmt::format("the name {} is too long", one.name),
+                      fmt::format("at most {} letters", longest_name));
+            if (!names.insert(one.name).second)
+                fault(base_.place, "sweep", fmt::format("two cases are named {}", one.name),
+                      "a name of its own for each, and no value twice");
+        }
+    }
+
+    const Sweep& sweep_;
+    const std::vector<Assignment>& overrides_;
+    std::vector<Fault>& faults_;
+    Node base_;
+    std::vector<Variation> variations_;
+};
+
+} // namespace
+
+Keys<Sweep> sweep_keys() {
+    Keys<SweepRun> run;
+    run.key("name", &SweepRun::name)
+        .is_text()
+        .required()
+        .example("slow")
+        .says("Name of the case and of its result folder: letters, digits, . _ - + = ,");
+    run.free_table("set", &SweepRun::set)
+        .example(R"({ "protocol.duration" = "70 s" })")
+        .says("What this case changes: keys, or a section; one with its type replaces it whole.");
+    run.check([](const SweepRun& read, Findings& findings) {
+        const bool plain = !read.name.empty() && read.name.size() <= longest_name &&
+                           std::all_of(read.name.begin(), read.name.end(), is_plain) &&
+                           read.name.front() != '.' && read.name.front() != '-';
+        if (!plain)
+            findings.contradiction({"name"}, "the name cannot be a folder's name",
+                                   "letters, digits and . _ - + = , starting with none of . and -");
+    });
+
+    Keys<Sweep> keys;
+    keys.free_table("vary", &Sweep::vary)
+        .example(R"({ "geometry.cup_radius" = ["15 mm", "16 mm"] })")
+        .says("Keys with a list of values each; every combination is a case.");
+    keys.tables("runs", &Sweep::runs, run).says("Cases of their own, each a [[sweep.runs]].");
+    return keys;
+}
+
+std::vector<SweptCase> cases_of(const Node& root, const Sweep& sweep,
+                                const std::vector<Assignment>& overrides,
+                                std::vector<Fault>& faults) {
+    return Expansion{root, sweep, overrides, faults}.all();
+}
+
+} // namespace searle::casefile

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace searle::rheometry {
+
+struct IsolatedResult {
+    enum class Outcome {
+        finished,
+        crashed,     ///< the process was ended by a signal, or failed on its own
+        out_of_time, ///< it used more than 20 s of processor time
+        no_process   ///< the system would not start one
+    };
+    Outcome outcome = Outcome::no_process;
+    std::string output; ///< what the call returned, when it finished
+};
+
+/// Runs a call in a process of its own and hands back what it returns, so that whatever goes wrong
+/// in a library with a damaged file stays there. The call sees the state of this process at the
+/// time; what it changes is lost, what it prints is dropped. Call it while no other thread is
+/// running.
+[[nodiscard]] IsolatedResult call_isolated(const std::function<std::string()>& call);
+
+} // namespace searle::rheometry

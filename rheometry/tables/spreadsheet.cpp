@@ -1,0 +1,238 @@
+#include "rheometry/tables/spreadsheet.hpp"
+
+#include "rheometry/tables/isolated_call.hpp"
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <fmt/format.h>
+#include <freexl.h>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+#include <type_traits>
+
+namespace searle::rheometry {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& file, std::string message) {
+    throw TableError(file.string(), {{.line = 0, .column = {}, .message = std::move(message)}});
+}
+
+// The sheets travel between the processes as bytes: plain values, and texts led by their length.
+
+class ByteWriter {
+public:
+    template <class Value>
+    void put(const Value& value) {
+        static_assert(std::is_trivially_copyable_v<Value>);
+        bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+    void put_text(std::string_view text) {
+        put(static_cast<std::uint64_t>(text.size()));
+        bytes_ += text;
+    }
+    [[nodiscard]] std::string take() { return std::move(bytes_); }
+
+private:
+    std::string bytes_;
+};
+
+class ByteReader {
+public:
+    explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
+    template <class Value>
+    [[nodiscard]] Value get() {
+        Value value{};
+        std::memcpy(&value, next(sizeof value).data(), sizeof value);
+        return value;
+    }
+    [[nodiscard]] std::string get_text() { return std::string(next(get<std::uint64_t>())); }
+
+private:
+    std::string_view next(std::size_t count) {
+        if (count > bytes_.size())
+            throw std::length_error("spreadsheet: the reading process sent too little");
+        const std::string_view piece = bytes_.substr(0, count);
+        bytes_.remove_prefix(count);
+        return piece;
+    }
+
+    std::string_view bytes_;
+};
+
+enum class Kind : std::uint8_t { empty, number, text };
+enum class Status : std::uint8_t { read, library_error, password };
+
+class Workbook {
+public:
+    explicit Workbook(const std::string& path) : code_(freexl_open(path.c_str(), &handle_)) {}
+    Workbook(const Workbook&) = delete;
+    Workbook& operator=(const Workbook&) = delete;
+    ~Workbook() {
+        if (handle_ != nullptr)
+            freexl_close(handle_);
+    }
+    [[nodiscard]] int code() const { return code_; }
+    [[nodiscard]] const void* handle() const { return handle_; }
+    [[nodiscard]] unsigned info(unsigned short what) const {
+        unsigned value = 0;
+        return freexl_get_info(handle_, what, &value) == FREEXL_OK ? value : 0;
+    }
+
+private:
+    const void* handle_ = nullptr;
+    int code_;
+};
+
+void put_cell(ByteWriter& bytes, const FreeXL_CellValue& value) {
+    switch (value.type) {
+    case FREEXL_CELL_INT:
+        bytes.put(Kind::number);
+        bytes.put(static_cast<double>(value.value.int_value));
+        return;
+    case FREEXL_CELL_DOUBLE:
+        bytes.put(Kind::number);
+        bytes.put(value.value.double_value);
+        return;
+    case FREEXL_CELL_TEXT:
+    case FREEXL_CELL_SST_TEXT:
+    case FREEXL_CELL_DATE:
+    case FREEXL_CELL_DATETIME:
+    case FREEXL_CELL_TIME:
+        bytes.put(Kind::text);
+        bytes.put_text(value.value.text_value != nullptr ? value.value.text_value : "");
+        return;
+    default:
+        bytes.put(Kind::empty);
+    }
+}
+
+int put_sheet(ByteWriter& bytes, const Workbook& workbook, unsigned index) {
+    const char* name = nullptr;
+    unsigned rows = 0;
+    unsigned short columns = 0;
+    for (const int code :
+         {freexl_get_worksheet_name(workbook.handle(), static_cast<unsigned short>(index), &name),
+          freexl_select_active_worksheet(workbook.handle(), static_cast<unsigned short>(index)),
+          freexl_worksheet_dimensions(workbook.handle(), &rows, &columns)})
+        if (code != FREEXL_OK)
+            return code;
+    bytes.put_text(name != nullptr ? name : "");
+    bytes.put(static_cast<std::uint64_t>(rows));
+    bytes.put(static_cast<std::uint64_t>(columns));
+    for (unsigned row = 0; row < rows; ++row) {
+        for (unsigned short column = 0; column < columns; ++column) {
+            FreeXL_CellValue value{};
+            const int code = freexl_get_cell_value(workbook.handle(), row, column, &value);
+            if (code != FREEXL_OK)
+                return code;
+            put_cell(bytes, value);
+        }
+    }
+    return FREEXL_OK;
+}
+
+std::string status_bytes(Status status, int code) {
+    ByteWriter bytes;
+    bytes.put(status);
+    bytes.put(code);
+    return bytes.take();
+}
+
+/// Runs in the reading process.
+std::string sheets_as_bytes(const std::string& path) {
+    const Workbook workbook(path);
+    if (workbook.code() != FREEXL_OK)
+        return status_bytes(Status::library_error, workbook.code());
+    if (workbook.info(FREEXL_BIFF_PASSWORD) == FREEXL_BIFF_OBFUSCATED)
+        return status_bytes(Status::password, FREEXL_OK);
+    ByteWriter bytes;
+    bytes.put(Status::read);
+    const unsigned count = workbook.info(FREEXL_BIFF_SHEET_COUNT);
+    bytes.put(static_cast<std::uint64_t>(count));
+    for (unsigned index = 0; index < count; ++index) {
+        const int code = put_sheet(bytes, workbook, index);
+        if (code != FREEXL_OK)
+            return status_bytes(Status::library_error, code);
+    }
+    return bytes.take();
+}
+
+SheetCell get_cell(ByteReader& bytes) {
+    switch (bytes.get<Kind>()) {
+    case Kind::number:
+        return bytes.get<double>();
+    case Kind::text:
+        return bytes.get_text();
+    case Kind::empty:
+        break;
+    }
+    return std::monostate{};
+}
+
+std::vector<Sheet> sheets_from(ByteReader& bytes) {
+    std::vector<Sheet> sheets(bytes.get<std::uint64_t>());
+    for (Sheet& sheet : sheets) {
+        sheet.name = bytes.get_text();
+        sheet.rows = bytes.get<std::uint64_t>();
+        sheet.columns = bytes.get<std::uint64_t>();
+        sheet.cells.resize(sheet.rows * sheet.columns);
+        for (SheetCell& cell : sheet.cells)
+            cell = get_cell(bytes);
+    }
+    return sheets;
+}
+
+} // namespace
+
+std::string_view Sheet::text(std::size_t row, std::size_t column) const {
+    if (row >= rows || column >= columns)
+        return {};
+    const auto* const found = std::get_if<std::string>(&cell(row, column));
+    return found == nullptr ? std::string_view{} : std::string_view(*found);
+}
+
+bool looks_like_spreadsheet(const std::filesystem::path& file) {
+    constexpr std::string_view compound_file = "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1";
+    std::array<char, compound_file.size()> start{};
+    std::ifstream stream(file, std::ios::binary);
+    return stream.read(start.data(), start.size()) &&
+           std::string_view(start.data(), start.size()) == compound_file;
+}
+
+std::vector<Sheet> read_spreadsheet(const std::filesystem::path& file) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error))
+        fail(file,
+             std::filesystem::exists(file, error) ? "this is not a file" : "there is no such file");
+    if (!std::ifstream(file))
+        fail(file, "the file cannot be opened");
+    if (!looks_like_spreadsheet(file))
+        fail(file, "this is not a binary workbook (.xls)");
+    const std::string path = file.string();
+    const IsolatedResult result = call_isolated([&path] { return sheets_as_bytes(path); });
+    switch (result.outcome) {
+    case IsolatedResult::Outcome::finished:
+        break;
+    case IsolatedResult::Outcome::crashed:
+    case IsolatedResult::Outcome::out_of_time:
+        fail(file,
+             "the workbook is damaged: its reader could not make sense of it; export it again");
+    case IsolatedResult::Outcome::no_process:
+        fail(file, "the system would not start a process to read the workbook with");
+    }
+    ByteReader bytes(result.output);
+    const auto status = bytes.get<Status>();
+    if (status == Status::password)
+        fail(file, "the workbook is protected by a password; save it without one");
+    if (status == Status::library_error)
+        fail(file, fmt::format("the workbook is damaged or not in the Excel 97-2003 format "
+                               "(FreeXL's code {}); export it again, or as CSV",
+                               bytes.get<int>()));
+    return sheets_from(bytes);
+}
+
+std::string spreadsheet_library_version() { return freexl_version(); }
+
+} // namespace searle::rheometry

@@ -1,0 +1,71 @@
+#include "solvers/settings_keys.hpp"
+
+#include "laws/flow/flow_law_keys.hpp"
+
+namespace searle::solvers {
+
+casefile::Keys<Fluid> fluid_keys() {
+    casefile::Keys<Fluid> keys;
+    laws::flow::add_flow_law_keys(keys, &Fluid::law);
+    keys.key("density", &Fluid::density)
+        .measures(casefile::density)
+        .above("0 kg/m^3")
+        .at_most("1e6 kg/m^3")
+        .required()
+        .example("998.2 kg/m^3")
+        .says("Mass per volume; decides inertia and the onset of vortices.");
+    return keys;
+}
+
+casefile::Keys<SolverSettings> solver_keys() {
+    casefile::Keys<SolverSettings> keys;
+    keys.choice<Engine SolverSettings::*, Engine>(
+            "engine", &SolverSettings::engine,
+            {{"native", Engine::native, "this program"},
+             {"openfoam", Engine::openfoam, "OpenFOAM, when it is installed"}})
+        .example("native")
+        .says("What solves the flow.");
+    keys.choice<Model SolverSettings::*, Model>(
+            "model", &SolverSettings::model,
+            {{"auto", Model::automatic, "the cheapest model that is right"},
+             {"radial", Model::radial, "an endless gap, one coordinate"},
+             {"axisymmetric", Model::axisymmetric, "ends included, two coordinates"},
+             {"3d", Model::three_dimensional, "everything"}})
+        .example("auto")
+        .says("The model; an explicit one is obeyed at any speed.");
+    keys.key("accuracy", &SolverSettings::accuracy)
+        .measures(casefile::fraction)
+        .is_number()
+        .at_least("1e-10")
+        .below("1")
+        .example("0.1 %")
+        .says("Asked-for relative error of every shear stress.");
+    keys.custom(
+            "secondary_flow",
+            [](SolverSettings& settings, const casefile::Value& value) {
+                const bool* wanted = std::get_if<bool>(&value.is);
+                settings.secondary_flow =
+                    !wanted ? Switch::automatic : (*wanted ? Switch::on : Switch::off);
+            },
+            [](const SolverSettings& settings) -> std::optional<casefile::Value> {
+                if (settings.secondary_flow == Switch::automatic)
+                    return casefile::Value{std::string{"auto"}};
+                return casefile::Value{settings.secondary_flow == Switch::on};
+            })
+        .is_boolean()
+        .word("auto", "where it matters")
+        .example("auto")
+        .says("Flow in the (r, z) plane beside the swirl, for the axisymmetric model.");
+    return keys;
+}
+
+casefile::Keys<OutputSettings> output_keys() {
+    casefile::Keys<OutputSettings> keys;
+    keys.key("fields", &OutputSettings::fields)
+        .is_boolean()
+        .example("false")
+        .says("Write the velocity fields to fields/ as well.");
+    return keys;
+}
+
+} // namespace searle::solvers
