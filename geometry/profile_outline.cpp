@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace searle::geometry {
 namespace {
 
@@ -64,6 +67,24 @@ Outline outline_of(const Profile& profile) {
     else
         outline.edges.push_back({"slice_bottom", PatchKind::end_face, "the lower end"});
     return outline;
+}
+
+ConcentricCylinders nominal_cylinders(const Profile& profile) {
+    const auto narrower = [](const ProfilePoint& one, const ProfilePoint& other) {
+        return one.r < other.r;
+    };
+    const auto widest = [&](const std::vector<ProfilePoint>& points) {
+        const auto found = std::max_element(points.begin(), points.end(), narrower);
+        return found == points.end() ? 0.0 : found->r;
+    };
+    ConcentricCylinders cylinders{widest(profile.rotor), widest(profile.cup), 0.0};
+    for (std::size_t at = 0; at + 1 < profile.rotor.size(); ++at)
+        if (profile.rotor[at].r == cylinders.bob_radius &&
+            profile.rotor[at + 1].r == cylinders.bob_radius)
+            cylinders.height += std::abs(profile.rotor[at + 1].z - profile.rotor[at].z);
+    if (cylinders.height == 0.0 && !profile.rotor.empty())
+        cylinders.height = std::abs(profile.rotor.back().z - profile.rotor.front().z);
+    return cylinders;
 }
 
 } // namespace searle::geometry
