@@ -30,8 +30,11 @@ struct Window {
     double height{};
 
     [[nodiscard]] bool meets(const Point& a, const Point& b) const {
-        return std::max(a.x, b.x) >= left && std::min(a.x, b.x) <= left + width &&
-               std::max(a.y, b.y) >= bottom && std::min(a.y, b.y) <= bottom + height;
+        const double rounding = 1e-9 * (width + height);
+        return std::max(a.x, b.x) >= left - rounding &&
+               std::min(a.x, b.x) <= left + width + rounding &&
+               std::max(a.y, b.y) >= bottom - rounding &&
+               std::min(a.y, b.y) <= bottom + height + rounding;
     }
 };
 

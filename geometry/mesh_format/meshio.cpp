@@ -28,6 +28,8 @@ try:
     import meshio, numpy
 except ImportError:
     sys.exit(7)
+# Some writers of meshio 5.0 take a block of cells for a pair.
+meshio.CellBlock.__iter__ = lambda block: iter((block.type, block.data))
 source, target, dimension = sys.argv[1], sys.argv[2], int(sys.argv[3])
 mesh = meshio.read(source, file_format="gmsh")
 names = {int(v[0]): k for k, v in mesh.field_data.items()}
@@ -52,7 +54,12 @@ if ending in (".xdmf", ".xmf"):
         import h5py
     except ImportError:
         options["data_format"] = "XML"
-meshio.write(target, mesh, **options)
+try:
+    meshio.write(target, mesh, **options)
+except ImportError as error:
+    print("the Python module %s is missing; to get it: apt-get install python3-%s"
+          % (error.name, error.name))
+    sys.exit(8)
 if ending == ".su2":
     text = open(target).read()
     for i, n in names.items():
@@ -137,12 +144,16 @@ void write_by_meshio(const Mesh& mesh, const fs::path& file) {
     // Debian's meshio belongs to Debian's Python; another one may stand before it in PATH.
     constexpr int not_there = 127;
     constexpr int no_meshio = 7;
+    constexpr int no_module = 8;
     for (const char* python : {"/usr/bin/python3", "python3"}) {
         const int code = run({python, "-c", script, source.string(), fs::absolute(file).string(),
                               std::to_string(mesh.dimension)},
                              log);
         if (code == 0)
             return;
+        if (code == no_module)
+            throw MeshToolMissing(fmt::format("meshio could not write {}: {}", file.string(),
+                                              last_line(log)));
         if (code != not_there && code != no_meshio)
             throw MeshError(fmt::format("meshio could not write {}: {}", file.string(),
                                         last_line(log)));

@@ -9,7 +9,7 @@ using searle::app::testing::TemporaryFolder;
 
 const std::vector<std::string> working_verbs{"run",    "plan", "check",  "convert",
                                              "report", "new",  "schema", "doctor"};
-const std::vector<std::string> later_verbs{"mesh", "fit", "compare", "bench", "stress"};
+const std::vector<std::string> later_verbs{"fit", "compare", "bench", "stress"};
 
 bool holds(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
