@@ -23,13 +23,20 @@ std::map<std::string, std::size_t> counts_by_shape(const geometry::Mesh& mesh) {
 
 std::string_view name_of_kind(geometry::PatchKind kind) {
     switch (kind) {
-    case geometry::PatchKind::wall: return "wall";
-    case geometry::PatchKind::free_surface: return "free surface";
-    case geometry::PatchKind::axis: return "axis";
-    case geometry::PatchKind::wedge: return "wedge";
-    case geometry::PatchKind::periodic: return "periodic";
-    case geometry::PatchKind::end_face: return "end";
-    case geometry::PatchKind::flat: return "end, one cell high";
+    case geometry::PatchKind::wall:
+        return "wall";
+    case geometry::PatchKind::free_surface:
+        return "free surface";
+    case geometry::PatchKind::axis:
+        return "axis";
+    case geometry::PatchKind::wedge:
+        return "wedge";
+    case geometry::PatchKind::periodic:
+        return "periodic";
+    case geometry::PatchKind::end_face:
+        return "end";
+    case geometry::PatchKind::flat:
+        return "end, one cell high";
     }
     return "";
 }
@@ -43,9 +50,9 @@ nlohmann::ordered_json as_json(const CheckedMeasure& measure) {
 }
 
 std::string row(const CheckedMeasure& measure, std::string_view kind) {
-    return fmt::format("  {:<16} {:<18} {:>9} {:>13.6g} {:>13.6g} {:>9.1e} {:>9.1e}\n", measure.name,
-                       kind, measure.faces, measure.value, measure.exact, measure.error(),
-                       measure.value / measure.exact - 1.0);
+    return fmt::format("  {:<16} {:<18} {:>9} {:>13.6g} {:>13.6g} {:>9.1e} {:>9.1e}\n",
+                       measure.name, kind, measure.faces, measure.value, measure.exact,
+                       measure.error(), measure.value / measure.exact - 1.0);
 }
 
 } // namespace
@@ -62,8 +69,9 @@ std::string mesh_table(const BuiltMesh& built, const MeshQuality& quality) {
     for (const std::string& note : built.notes)
         text += fmt::format("  {}\n", note);
     const bool is_section = mesh.dimension == 2;
-    text += fmt::format("\n  {:<16} {:<18} {:>9} {:>13} {:>13} {:>9} {:>9}\n", "name", "kind", "faces",
-                        is_section ? "m^2, m" : "m^3, m^2", "closed form", "error", "to arcs");
+    text +=
+        fmt::format("\n  {:<16} {:<18} {:>9} {:>13} {:>13} {:>9} {:>9}\n", "name", "kind", "faces",
+                    is_section ? "m^2, m" : "m^3, m^2", "closed form", "error", "to arcs");
     text += row(quality.volume, "volume");
     for (const CheckedMeasure& area : quality.areas) {
         const geometry::Patch* const patch = mesh.patch(area.name);

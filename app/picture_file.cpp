@@ -21,9 +21,9 @@ void write_text(const std::string& text, const fs::path& file) {
     stream << text;
     stream.close();
     if (!stream)
-        throw fs::filesystem_error("the picture cannot be written", file,
-                                   std::error_code(errno == 0 ? EIO : errno,
-                                                   std::generic_category()));
+        throw fs::filesystem_error(
+            "the picture cannot be written", file,
+            std::error_code(errno == 0 ? EIO : errno, std::generic_category()));
 }
 
 } // namespace
@@ -51,8 +51,9 @@ void write_picture(const std::string& svg, const fs::path& file) {
     waitpid(child, &status, 0);
     fs::remove(source);
     if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
-        throw geometry::MeshToolMissing("a .png is drawn by rsvg-convert, which is not here; to get "
-                                        "it: apt-get install librsvg2-bin (.svg needs nothing)");
+        throw geometry::MeshToolMissing(
+            "a .png is drawn by rsvg-convert, which is not here; to get "
+            "it: apt-get install librsvg2-bin (.svg needs nothing)");
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
         throw geometry::MeshError(fmt::format("rsvg-convert could not write {}", file.string()));
 }

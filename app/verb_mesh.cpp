@@ -29,7 +29,8 @@ geometry::MeshFormat settled_format(const MeshOptions& options) {
         throw geometry::MeshError(fmt::format(
             "{}: the ending '{}' stands for no known format{}; known are {}, and a path that ends "
             "in / for OpenFOAM",
-            options.output.string(), ending, meant ? fmt::format(" (did you mean {}?)", *meant) : "",
+            options.output.string(), ending,
+            meant ? fmt::format(" (did you mean {}?)", *meant) : "",
             fmt::join(geometry::known_endings(), " ")));
     }
     if (options.format.empty())
@@ -38,8 +39,8 @@ geometry::MeshFormat settled_format(const MeshOptions& options) {
         throw geometry::MeshError(
             fmt::format("--format {}: msh22 or msh41 is allowed", options.format));
     if (*format != geometry::MeshFormat::msh41)
-        throw geometry::MeshError(fmt::format("--format {} is for a path that ends in .msh",
-                                              options.format));
+        throw geometry::MeshError(
+            fmt::format("--format {} is for a path that ends in .msh", options.format));
     return options.format == "msh22" ? geometry::MeshFormat::msh22 : geometry::MeshFormat::msh41;
 }
 

@@ -9,9 +9,9 @@ namespace searle::app {
 
 struct MeshOptions {
     std::filesystem::path case_file;
-    std::filesystem::path output;               ///< its ending is the format; a folder: OpenFOAM
-    std::vector<std::string> overrides;         ///< "key=value" texts of --set
-    std::string format;                         ///< "msh22" for gmsh 2.2; empty: by the ending
+    std::filesystem::path output;                 ///< its ending is the format; a folder: OpenFOAM
+    std::vector<std::string> overrides;           ///< "key=value" texts of --set
+    std::string format;                           ///< "msh22" for gmsh 2.2; empty: by the ending
     std::optional<std::filesystem::path> preview; ///< .svg or .png: cells and patches
     std::optional<std::filesystem::path> drawing; ///< .svg or .png: dimensions
     bool json = false;

@@ -17,12 +17,8 @@ constexpr std::array<Trihedron, 4> tetrahedron_corners{
     {{0, 1, 2, 3}, {1, 2, 0, 3}, {2, 0, 1, 3}, {3, 0, 2, 1}}};
 constexpr std::array<Trihedron, 4> pyramid_corners{
     {{0, 1, 3, 4}, {1, 2, 0, 4}, {2, 3, 1, 4}, {3, 0, 2, 4}}};
-constexpr std::array<Trihedron, 6> prism_corners{{{0, 1, 2, 3},
-                                                  {1, 2, 0, 4},
-                                                  {2, 0, 1, 5},
-                                                  {3, 5, 4, 0},
-                                                  {4, 3, 5, 1},
-                                                  {5, 4, 3, 2}}};
+constexpr std::array<Trihedron, 6> prism_corners{
+    {{0, 1, 2, 3}, {1, 2, 0, 4}, {2, 0, 1, 5}, {3, 5, 4, 0}, {4, 3, 5, 1}, {5, 4, 3, 2}}};
 constexpr std::array<Trihedron, 8> hexahedron_corners{{{0, 1, 3, 4},
                                                        {1, 2, 0, 5},
                                                        {2, 3, 1, 6},
@@ -34,21 +30,30 @@ constexpr std::array<Trihedron, 8> hexahedron_corners{{{0, 1, 3, 4},
 
 std::span<const Trihedron> corners_of(CellShape shape) {
     switch (straight(shape)) {
-    case CellShape::tetrahedron4: return tetrahedron_corners;
-    case CellShape::pyramid5: return pyramid_corners;
-    case CellShape::prism6: return prism_corners;
-    case CellShape::hexahedron8: return hexahedron_corners;
-    default: return {};
+    case CellShape::tetrahedron4:
+        return tetrahedron_corners;
+    case CellShape::pyramid5:
+        return pyramid_corners;
+    case CellShape::prism6:
+        return prism_corners;
+    case CellShape::hexahedron8:
+        return hexahedron_corners;
+    default:
+        return {};
     }
 }
 
 /// Of an equilateral corner, so that the best cell of each shape has 1.
 double best_of(CellShape shape) {
     switch (straight(shape)) {
-    case CellShape::tetrahedron4: return 0.70710678118654752; // regular tetrahedron
-    case CellShape::prism6: return 0.86602540378443865;       // equilateral, upright
-    case CellShape::pyramid5: return 0.70710678118654752;     // all edges of one length
-    default: return 1.0;
+    case CellShape::tetrahedron4:
+        return 0.70710678118654752; // regular tetrahedron
+    case CellShape::prism6:
+        return 0.86602540378443865; // equilateral, upright
+    case CellShape::pyramid5:
+        return 0.70710678118654752; // all edges of one length
+    default:
+        return 1.0;
     }
 }
 

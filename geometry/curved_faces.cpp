@@ -56,10 +56,14 @@ ShapeFunctions quadrangle4(double u, double v) {
 
 ShapeFunctions functions_of(CellShape shape, double u, double v) {
     switch (shape) {
-    case CellShape::triangle3: return triangle3(u, v);
-    case CellShape::triangle6: return triangle6(u, v);
-    case CellShape::quadrangle4: return quadrangle4(u, v);
-    default: return quadrangle8(u, v);
+    case CellShape::triangle3:
+        return triangle3(u, v);
+    case CellShape::triangle6:
+        return triangle6(u, v);
+    case CellShape::quadrangle4:
+        return quadrangle4(u, v);
+    default:
+        return quadrangle8(u, v);
     }
 }
 

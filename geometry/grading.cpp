@@ -11,7 +11,7 @@ namespace {
 /// The cell size along a line is piecewise linear; a mesh line lies wherever the integral of
 /// 1 / size is a whole number.
 struct Piece {
-    double from{};  ///< m along the line
+    double from{}; ///< m along the line
     double to{};
     double size{};  ///< at `from`, m
     double slope{}; ///< of the size

@@ -26,9 +26,7 @@ Instrument instrument_of(const GeometryAsWritten& written) {
         Instrument operator()(const ConcentricCylinders& cylinders) const { return cylinders; }
         Instrument operator()(const DoubleGap& gap) const { return gap; }
         Instrument operator()(const Box& box) const { return box; }
-        Instrument operator()(const Profile& profile) const {
-            return nominal_cylinders(profile);
-        }
+        Instrument operator()(const Profile& profile) const { return nominal_cylinders(profile); }
         Instrument operator()(const DinBobAsWritten& din) const {
             DinBob bob = din.bob;
             bob.cup_radius =

@@ -62,12 +62,8 @@ constexpr std::array<LocalFace, 5> pyramid_faces{
     {{0, 3, 2, 1}, {0, 1, 4, -1}, {1, 2, 4, -1}, {2, 3, 4, -1}, {3, 0, 4, -1}}};
 constexpr std::array<LocalFace, 5> prism_faces{
     {{0, 2, 1, -1}, {3, 4, 5, -1}, {0, 1, 4, 3}, {1, 2, 5, 4}, {0, 3, 5, 2}}};
-constexpr std::array<LocalFace, 6> hexahedron_faces{{{0, 3, 2, 1},
-                                                     {4, 5, 6, 7},
-                                                     {0, 1, 5, 4},
-                                                     {1, 2, 6, 5},
-                                                     {2, 3, 7, 6},
-                                                     {3, 0, 4, 7}}};
+constexpr std::array<LocalFace, 6> hexahedron_faces{
+    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 
 } // namespace
 
@@ -80,23 +76,35 @@ std::string_view name_of(CellShape shape) { return facts_of(shape).name; }
 
 std::span<const LocalEdge> edges_of(CellShape shape) {
     switch (straight(shape)) {
-    case CellShape::triangle3: return triangle_edges;
-    case CellShape::quadrangle4: return quadrangle_edges;
-    case CellShape::tetrahedron4: return tetrahedron_edges;
-    case CellShape::pyramid5: return pyramid_edges;
-    case CellShape::prism6: return prism_edges;
-    case CellShape::hexahedron8: return hexahedron_edges;
-    default: return line_edges;
+    case CellShape::triangle3:
+        return triangle_edges;
+    case CellShape::quadrangle4:
+        return quadrangle_edges;
+    case CellShape::tetrahedron4:
+        return tetrahedron_edges;
+    case CellShape::pyramid5:
+        return pyramid_edges;
+    case CellShape::prism6:
+        return prism_edges;
+    case CellShape::hexahedron8:
+        return hexahedron_edges;
+    default:
+        return line_edges;
     }
 }
 
 std::span<const LocalFace> faces_of(CellShape shape) {
     switch (straight(shape)) {
-    case CellShape::tetrahedron4: return tetrahedron_faces;
-    case CellShape::pyramid5: return pyramid_faces;
-    case CellShape::prism6: return prism_faces;
-    case CellShape::hexahedron8: return hexahedron_faces;
-    default: return {};
+    case CellShape::tetrahedron4:
+        return tetrahedron_faces;
+    case CellShape::pyramid5:
+        return pyramid_faces;
+    case CellShape::prism6:
+        return prism_faces;
+    case CellShape::hexahedron8:
+        return hexahedron_faces;
+    default:
+        return {};
     }
 }
 

@@ -10,9 +10,10 @@
 
 namespace searle::geometry {
 
-/// Cells and faces, numbered as gmsh and VTK number them (corners first, then the middles of edges).
-/// Orientation: the first face of a solid (the base) has its right-hand normal towards the rest of
-/// the cell; a face of the boundary has its normal out of the fluid; plane cells turn anticlockwise.
+/// Cells and faces, numbered as gmsh and VTK number them (corners first, then the middles of
+/// edges). Orientation: the first face of a solid (the base) has its right-hand normal towards the
+/// rest of the cell; a face of the boundary has its normal out of the fluid; plane cells turn
+/// anticlockwise.
 enum class CellShape : std::uint8_t {
     line2,
     triangle3,
@@ -84,11 +85,11 @@ private:
 enum class PatchKind {
     wall,
     free_surface,
-    axis,    ///< line of symmetry; only sections have it
-    wedge,   ///< one side of a wedge that is one cell thick
-    periodic,///< one side of a pair whose faces follow each other in the same order
-    end_face,///< end of a slice of an endless gap, several cells away from its opposite
-    flat     ///< end of a slice that is one cell high: nothing varies across it
+    axis,     ///< line of symmetry; only sections have it
+    wedge,    ///< one side of a wedge that is one cell thick
+    periodic, ///< one side of a pair whose faces follow each other in the same order
+    end_face, ///< end of a slice of an endless gap, several cells away from its opposite
+    flat      ///< end of a slice that is one cell high: nothing varies across it
 };
 
 /// A named part of the boundary: the faces from `first` on, `count` of them.

@@ -35,15 +35,17 @@ double angle_for(MeshExtent extent, const MeshSettings& settings) {
     const bool given = settings.wedge_angle.has_value();
     const double angle = settings.wedge_angle.value_or(0.0);
     if (given && !(angle > 0.0 && angle <= turn * (1 + 1e-12)))
-        throw MeshError(fmt::format("mesh.wedge_angle = {:.6g} deg is not an angle above 0 and up to "
-                                    "360 deg",
-                                    angle / degree));
+        throw MeshError(
+            fmt::format("mesh.wedge_angle = {:.6g} deg is not an angle above 0 and up to "
+                        "360 deg",
+                        angle / degree));
     switch (extent) {
     case MeshExtent::section:
         if (given)
             throw MeshError("mesh.wedge_angle has no meaning for mesh.extent = \"section\"");
         return turn;
-    case MeshExtent::wedge: return given ? angle : 5.0 * degree;
+    case MeshExtent::wedge:
+        return given ? angle : 5.0 * degree;
     case MeshExtent::sector:
         if (given && angle >= turn * (1 - 1e-12))
             throw MeshError("a sector of 360 deg has no sides; mesh.extent = \"full\" is meant");
@@ -84,10 +86,10 @@ int angular_cells_for(const MeshChoices& choices, const MeshDomain& domain,
         count = bounded_count(wanted, settings.most_cells, what);
     }
     if (domain.revolved && !is_section && choices.angle / count > widest_cell * (1 + 1e-12))
-        throw MeshError(fmt::format("cells of {:.4g} deg are too wide; mesh.angular_cells must be at "
-                                    "least {:.0f}",
-                                    choices.angle / count / degree,
-                                    std::ceil(choices.angle / widest_cell)));
+        throw MeshError(
+            fmt::format("cells of {:.4g} deg are too wide; mesh.angular_cells must be at "
+                        "least {:.0f}",
+                        choices.angle / count / degree, std::ceil(choices.angle / widest_cell)));
     if (choices.extent == MeshExtent::full && count < 3)
         throw MeshError("a full turn needs mesh.angular_cells of at least 4");
     return count;
@@ -98,15 +100,14 @@ MeshChoices choices_in(const MeshDomain& domain, const MeshSubject& subject,
     MeshChoices choices;
     choices.extent = extent_for(settings);
     const bool is_profile = std::holds_alternative<Profile>(subject);
-    choices.cells =
-        settings.cells.value_or(is_profile ? CellStyle::prisms : CellStyle::hexahedra);
+    choices.cells = settings.cells.value_or(is_profile ? CellStyle::prisms : CellStyle::hexahedra);
     choices.order = settings.order.value_or(1);
     choices.angle = angle_for(choices.extent, settings);
     choices.angular_cells = angular_cells_for(choices, domain, settings);
     const bool has_chords =
         domain.revolved && choices.order == 1 && choices.extent != MeshExtent::section;
-    choices.vertices = has_chords && choices.extent == MeshExtent::wedge ? VertexRadius::face
-                                                                         : VertexRadius::wall;
+    choices.vertices =
+        has_chords && choices.extent == MeshExtent::wedge ? VertexRadius::face : VertexRadius::wall;
     if (settings.vertices) {
         if (*settings.vertices == VertexRadius::face && !has_chords)
             throw MeshError("mesh.vertices = \"face\" is for straight cells about an axis: with "
@@ -138,8 +139,8 @@ Mesh triangle_section(const MeshDomain& domain, const MeshChoices& choices,
     sizes.across = settings.cells_across_gap.value_or(triangles_across);
     sizes.fixed = settings.cell_size.value_or(0.0);
     sizes.growth = settings.growth.value_or(1.2);
-    sizes.largest = std::max(1.5 * domain.gap / sizes.across,
-                             0.8 * outer_radius(domain) / sizes.across);
+    sizes.largest =
+        std::max(1.5 * domain.gap / sizes.across, 0.8 * outer_radius(domain) / sizes.across);
     const int pieces = choices.cells == CellStyle::tetrahedra ? 3 : 1;
     return triangulated(domain.outlines, sizes,
                         settings.most_cells / (std::max(1, choices.angular_cells) * pieces));
@@ -153,7 +154,7 @@ Mesh solid_of(Mesh section, const MeshDomain& domain, const MeshChoices& choices
     sweep.radius_factor = choices.radius_factor;
     const bool is_wedge =
         choices.extent == MeshExtent::wedge && choices.angular_cells == 1 && domain.revolved;
-    sweep.ends = is_wedge ? Sweep::Ends::wedge
+    sweep.ends = is_wedge                                                ? Sweep::Ends::wedge
                  : choices.extent == MeshExtent::full && domain.revolved ? Sweep::Ends::closed
                                                                          : Sweep::Ends::periodic;
     return swept(section, sweep);
@@ -167,14 +168,16 @@ std::vector<std::string> notes_on(const BuiltMesh& built) {
         const double part = built.expected().volume / built.exact().volume;
         const double half = 0.5 * choices.angle / choices.angular_cells;
         if (choices.vertices == VertexRadius::face)
-            notes.push_back(fmt::format(
-                "vertices lie at radius / cos({:.4g} deg), so that the centres of the walls' faces lie "
-                "on the true radii; the volume is {:.6f} times that with arcs",
-                half / degree, part));
+            notes.push_back(
+                fmt::format("vertices lie at radius / cos({:.4g} deg), so that the centres of the "
+                            "walls' faces lie "
+                            "on the true radii; the volume is {:.6f} times that with arcs",
+                            half / degree, part));
         else
-            notes.push_back(fmt::format("vertices lie on the true radii; with chords in place of arcs "
-                                        "the volume is {:.6f} times that with arcs",
-                                        part));
+            notes.push_back(
+                fmt::format("vertices lie on the true radii; with chords in place of arcs "
+                            "the volume is {:.6f} times that with arcs",
+                            part));
     }
     if (choices.extent == MeshExtent::wedge && choices.angular_cells > 1)
         notes.push_back("the wedge is several cells thick, so its sides are a periodic pair");

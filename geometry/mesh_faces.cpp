@@ -64,9 +64,8 @@ Node lowest_of(const Corners& corners) { return *std::min_element(corners.begin(
 MeshFaces faces_of_cells(const Mesh& mesh) {
     // Half faces sorted into buckets by their lowest node: a few dozen each at most.
     std::vector<std::uint32_t> starts(mesh.points.size() + 1, 0);
-    for_each_half_face(mesh, [&](const HalfFace& half) {
-        ++starts[lowest_of(corners_of(mesh, half)) + 1];
-    });
+    for_each_half_face(
+        mesh, [&](const HalfFace& half) { ++starts[lowest_of(corners_of(mesh, half)) + 1]; });
     for (std::size_t node = 0; node < mesh.points.size(); ++node)
         starts[node + 1] += starts[node];
     std::vector<HalfFace> halves(starts.back());
@@ -113,9 +112,10 @@ MeshFaces faces_of_cells(const Mesh& mesh) {
                 faces.inside.push_back({bucket[one], first[one].element, first[other].element});
         }
     }
-    std::sort(faces.inside.begin(), faces.inside.end(), [](const MeshFace& one, const MeshFace& two) {
-        return one.owner != two.owner ? one.owner < two.owner : one.neighbour < two.neighbour;
-    });
+    std::sort(
+        faces.inside.begin(), faces.inside.end(), [](const MeshFace& one, const MeshFace& two) {
+            return one.owner != two.owner ? one.owner < two.owner : one.neighbour < two.neighbour;
+        });
     return faces;
 }
 

@@ -141,10 +141,10 @@ Window detail_of(const Mesh& mesh, double gap, const Window& whole) {
         }
     const double width = std::min(2.2 * gap, whole.width);
     const double height = std::min(1.2 * width, whole.height);
-    const double left = std::clamp(lowest.x - 0.45 * width, whole.left,
-                                   whole.left + whole.width - width);
-    const double bottom = std::clamp(lowest.y - 0.5 * height, whole.bottom,
-                                     whole.bottom + whole.height - height);
+    const double left =
+        std::clamp(lowest.x - 0.45 * width, whole.left, whole.left + whole.width - width);
+    const double bottom =
+        std::clamp(lowest.y - 0.5 * height, whole.bottom, whole.bottom + whole.height - height);
     return {left, bottom, width, height};
 }
 
@@ -152,10 +152,17 @@ std::string escaped(const std::string& text) {
     std::string safe;
     for (const char letter : text)
         switch (letter) {
-        case '<': safe += "&lt;"; break;
-        case '>': safe += "&gt;"; break;
-        case '&': safe += "&amp;"; break;
-        default: safe += letter;
+        case '<':
+            safe += "&lt;";
+            break;
+        case '>':
+            safe += "&gt;";
+            break;
+        case '&':
+            safe += "&amp;";
+            break;
+        default:
+            safe += letter;
         }
     return safe;
 }
@@ -190,9 +197,9 @@ std::string mesh_picture(const Mesh& section, double gap, const std::string& tit
         "<text x=\"{2}\" y=\"22\" font-size=\"16\">{3}</text>\n",
         width, height, margin, escaped(title));
     text += first.svg() + first.frame(detail) + second.svg() + legend(section, legend_x);
-    text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">magnified {:.3g} times; {:.4g} mm wide</text>\n",
-                        second_x, title_height + second.height() + 20,
-                        second.scale() / first.scale(), detail.width * 1e3);
+    text += fmt::format(
+        "<text x=\"{:.1f}\" y=\"{:.1f}\">magnified {:.3g} times; {:.4g} mm wide</text>\n", second_x,
+        title_height + second.height() + 20, second.scale() / first.scale(), detail.width * 1e3);
     return text + "</svg>\n";
 }
 

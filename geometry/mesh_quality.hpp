@@ -12,9 +12,10 @@ namespace searle::geometry {
 struct CheckedMeasure {
     std::string name; ///< a patch, or "fluid"
     std::size_t faces{};
-    double value{};    ///< m^2 or m^3 (of a plane section m or m^2)
-    double exact{};    ///< of the true shape with arcs
-    double expected{}; ///< with the chords that the mesh has in place of arcs; of curved cells: exact
+    double value{}; ///< m^2 or m^3 (of a plane section m or m^2)
+    double exact{}; ///< of the true shape with arcs
+    double
+        expected{}; ///< with the chords that the mesh has in place of arcs; of curved cells: exact
 
     /// value / expected - 1
     [[nodiscard]] double error() const;
@@ -26,10 +27,11 @@ struct MeshQuality {
     std::size_t points{};
     CheckedMeasure volume;
     std::vector<CheckedMeasure> areas;
-    double least_scaled_jacobian{};     ///< of a cell's corners, -1 to 1; 1: right angles everywhere
-    double largest_aspect_ratio{};      ///< longest over shortest edge of a cell
+    double least_scaled_jacobian{}; ///< of a cell's corners, -1 to 1; 1: right angles everywhere
+    double largest_aspect_ratio{};  ///< longest over shortest edge of a cell
     double largest_non_orthogonality{}; ///< deg, between a face's normal and the line of its cells
-    double largest_skewness{}; ///< distance of that line from the face's centre over the line's length
+    double
+        largest_skewness{}; ///< distance of that line from the face's centre over the line's length
     double largest_growth{};   ///< extent of a cell over that of its neighbour, across their face
     double least_volume{};     ///< m^3 (m^2)
     std::size_t inverted{};    ///< cells of negative volume

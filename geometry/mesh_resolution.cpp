@@ -33,14 +33,15 @@ void check_choice(double gap, const MeshSettings& settings) {
                                     "gap of {:.6g} mm",
                                     *settings.first_cell * 1e3, gap * 1e3));
     if (settings.cell_size && settings.growth && *settings.growth > 1.0)
-        throw MeshError("mesh.growth has no meaning beside mesh.cell_size: all cells have one size");
+        throw MeshError(
+            "mesh.growth has no meaning beside mesh.cell_size: all cells have one size");
 }
 
 } // namespace
 
 int bounded_count(double cells, std::int64_t most, const char* what) {
-    const double bound = std::min(static_cast<double>(most),
-                                  static_cast<double>(std::numeric_limits<int>::max()));
+    const double bound =
+        std::min(static_cast<double>(most), static_cast<double>(std::numeric_limits<int>::max()));
     if (!(cells <= bound))
         throw MeshError(fmt::format("{:.3g} cells {} are more than mesh.most_cells = {} allows in "
                                     "the whole mesh",
@@ -54,12 +55,13 @@ GapCells cells_across(double gap, const MeshSettings& settings) {
     if (settings.first_cell) {
         const double growth = settings.growth.value_or(default_growth);
         const Spacing spacing{*settings.first_cell, *settings.first_cell, gap, growth};
-        const int count = bounded_count(graded_cell_count(gap, spacing), settings.most_cells,
-                                        "across the gap");
+        const int count =
+            bounded_count(graded_cell_count(gap, spacing), settings.most_cells, "across the gap");
         cells.fractions = graded_fractions(gap, spacing, count);
     } else {
-        const double wanted = settings.cell_size ? std::ceil(gap / *settings.cell_size * (1 - 1e-9))
-                                                 : settings.cells_across_gap.value_or(default_cells);
+        const double wanted = settings.cell_size
+                                  ? std::ceil(gap / *settings.cell_size * (1 - 1e-9))
+                                  : settings.cells_across_gap.value_or(default_cells);
         const int count = bounded_count(wanted, settings.most_cells, "across the gap");
         const int layers = (count - 1) / 2; // between a wall's cell and the middle's
         double growth = 1.0;

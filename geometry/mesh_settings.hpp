@@ -27,20 +27,20 @@ enum class VertexRadius {
 
 /// What a case asks of the mesh; absent means that the program chooses.
 struct MeshSettings {
-    std::optional<int> cells_across_gap; ///< >= 1
-    std::optional<double> wedge_angle;   ///< angle of the meshed slice, rad, 0 < angle <= 2 pi
-    std::optional<double> slice_height;  ///< height of the meshed slice, m, > 0
-    std::optional<int> order;            ///< 1 (straight cells) or 2 (curved cells)
-    std::optional<MeshExtent> extent;
-    std::optional<CellStyle> cells;
-    std::optional<double> cell_size;     ///< of all cells, m, in place of cells_across_gap
-    std::optional<double> first_cell;    ///< height of the cells at the gap's walls, m; likewise
-    std::optional<double> growth;        ///< from cell to cell away from walls and corners, >= 1
-    std::optional<int> angular_cells;    ///< >= 1
-    std::optional<int> axial_cells;      ///< along the cylindrical part, >= 1
-    std::optional<VertexRadius> vertices;
-    std::optional<double> floor_clearance; ///< fluid under a double gap's rotor, m, > 0
-    std::int64_t most_cells = 20'000'000;  ///< a mesh of more cells is refused
+    std::optional<int> cells_across_gap{}; ///< >= 1
+    std::optional<double> wedge_angle{};   ///< angle of the meshed slice, rad, 0 < angle <= 2 pi
+    std::optional<double> slice_height{};  ///< height of the meshed slice, m, > 0
+    std::optional<int> order{};            ///< 1 (straight cells) or 2 (curved cells)
+    std::optional<MeshExtent> extent{};
+    std::optional<CellStyle> cells{};
+    std::optional<double> cell_size{};  ///< of all cells, m, in place of cells_across_gap
+    std::optional<double> first_cell{}; ///< height of the cells at the gap's walls, m; likewise
+    std::optional<double> growth{};     ///< from cell to cell away from walls and corners, >= 1
+    std::optional<int> angular_cells{}; ///< >= 1
+    std::optional<int> axial_cells{};   ///< along the cylindrical part, >= 1
+    std::optional<VertexRadius> vertices{};
+    std::optional<double> floor_clearance{}; ///< fluid under a double gap's rotor, m, > 0
+    std::int64_t most_cells = 20'000'000;    ///< a mesh of more cells is refused
 };
 
 } // namespace searle::geometry

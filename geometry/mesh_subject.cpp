@@ -24,7 +24,9 @@ PatchKind end_kind(const MeshSettings& settings) {
 Outline gap_outline(double inner, double outer, double height, const char* inner_patch,
                     const char* outer_patch, PatchKind ends) {
     return {{{inner, 0.0}, {outer, 0.0}, {outer, height}, {inner, height}},
-            {{"slice_bottom", ends, ""}, wall(outer_patch), {"slice_top", ends, ""},
+            {{"slice_bottom", ends, ""},
+             wall(outer_patch),
+             {"slice_top", ends, ""},
              wall(inner_patch)}};
 }
 
@@ -67,8 +69,9 @@ struct Draw {
             return domain;
         }
         if (settings.slice_height)
-            throw MeshError("mesh.slice_height and mesh.floor_clearance exclude each other: a slice "
-                            "does not reach the floor");
+            throw MeshError(
+                "mesh.slice_height and mesh.floor_clearance exclude each other: a slice "
+                "does not reach the floor");
         const double floor = -*settings.floor_clearance;
         const OutlineEdge surface{"free_surface", PatchKind::free_surface, ""};
         domain.outlines = {{{{post, floor},
@@ -79,8 +82,8 @@ struct Draw {
                              {inside, 0.0},
                              {inside, height},
                              {post, height}},
-                            {wall("cup_floor"), wall("cup"), surface, wall("bob"),
-                             wall("bob_edge"), wall("bob"), surface, wall("post")}}};
+                            {wall("cup_floor"), wall("cup"), surface, wall("bob"), wall("bob_edge"),
+                             wall("bob"), surface, wall("post")}}};
         return domain;
     }
     MeshDomain operator()(const DinBob& it) const {

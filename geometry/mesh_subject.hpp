@@ -19,10 +19,10 @@ using MeshSubject = std::variant<ConcentricCylinders, DoubleGap, DinBob, Box, Pr
 /// The fluid that a mesh fills, before it is cut into cells.
 struct MeshDomain {
     std::vector<Outline> outlines{}; ///< of the section; several where the gaps are not connected
-    bool revolved = true;          ///< false: drawn out along the flow (box)
-    double length{};               ///< of a box along the flow, m
-    double gap{};                  ///< narrowest distance between rotor and cup, m
-    Slice slice;                   ///< angle 2 pi; the extent is not yet in it
+    bool revolved = true;            ///< false: drawn out along the flow (box)
+    double length{};                 ///< of a box along the flow, m
+    double gap{};                    ///< narrowest distance between rotor and cup, m
+    Slice slice;                     ///< angle 2 pi; the extent is not yet in it
 };
 
 /// The section that the settings ask for. Throws MeshError where they do not fit the instrument.

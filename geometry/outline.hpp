@@ -8,7 +8,8 @@
 
 namespace searle::geometry {
 
-/// A point of the meridional half plane; of a box: r across the gap from the bob, z along the width.
+/// A point of the meridional half plane; of a box: r across the gap from the bob, z along the
+/// width.
 struct SectionPoint {
     double r{}; ///< m, >= 0
     double z{}; ///< m
@@ -35,17 +36,17 @@ struct Outline {
 
 /// What an outline encloses. Closed forms, exact up to rounding.
 struct OutlineMeasures {
-    double section_area{};   ///< m^2
-    double volume{};         ///< m^3, of the whole turn (Pappus)
-    std::map<std::string, double> patch_areas; ///< m^2, of the whole turn, by patch
+    double section_area{};                       ///< m^2
+    double volume{};                             ///< m^3, of the whole turn (Pappus)
+    std::map<std::string, double> patch_areas;   ///< m^2, of the whole turn, by patch
     std::map<std::string, double> patch_lengths; ///< m, in the section, by patch
 };
 
 [[nodiscard]] OutlineMeasures measures_of(const std::vector<Outline>& outlines);
 
 /// What a body has whose parts are made with chords in place of arcs: volume and areas of the whole
-/// turn, in flat pieces of `cell_angle` (rad) each, radii multiplied by `radius_factor`. The section
-/// is that of the multiplied radii.
+/// turn, in flat pieces of `cell_angle` (rad) each, radii multiplied by `radius_factor`. The
+/// section is that of the multiplied radii.
 [[nodiscard]] OutlineMeasures chord_measures_of(const std::vector<Outline>& outlines,
                                                 double cell_angle, double radius_factor);
 

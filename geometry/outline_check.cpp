@@ -77,9 +77,10 @@ OutlineFindings check_outline(const Outline& outline) {
             std::min(findings.smallest_feature, std::sqrt(segments[one].squared_length()));
         for (std::size_t other = one + 1; other < count; ++other) {
             const bool adjacent = neighbours(one, other, count);
-            const bool faulty = adjacent ? (one + 1 == other ? folds_back(segments[one], segments[other])
-                                                             : folds_back(segments[other], segments[one]))
-                                         : CGAL::do_intersect(segments[one], segments[other]);
+            const bool faulty =
+                adjacent ? (one + 1 == other ? folds_back(segments[one], segments[other])
+                                             : folds_back(segments[other], segments[one]))
+                         : CGAL::do_intersect(segments[one], segments[other]);
             if (faulty)
                 throw MeshError(fmt::format("the outline crosses or touches itself:\n  {}\n  {}",
                                             described(outline, one), described(outline, other)));

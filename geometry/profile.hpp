@@ -14,7 +14,8 @@ struct ProfilePoint {
 };
 
 /// A rotor and a cup of any axisymmetric shape. Both polylines start at their lowest point (on the
-/// axis, or, for a part that is cut off below, both at the same height) and end at the free surface.
+/// axis, or, for a part that is cut off below, both at the same height) and end at the free
+/// surface.
 struct Profile {
     std::vector<ProfilePoint> rotor;
     std::vector<ProfilePoint> cup;

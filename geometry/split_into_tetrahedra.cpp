@@ -16,8 +16,8 @@ void for_each_triangle(std::span<const Node> corners, Use use) {
         use(std::array{corners[0], corners[1], corners[2]});
         return;
     }
-    const auto lowest = static_cast<std::size_t>(
-        std::min_element(corners.begin(), corners.end()) - corners.begin());
+    const auto lowest = static_cast<std::size_t>(std::min_element(corners.begin(), corners.end()) -
+                                                 corners.begin());
     const auto corner = [&](std::size_t after) { return corners[(lowest + after) % 4]; };
     use(std::array{corner(0), corner(1), corner(2)});
     use(std::array{corner(0), corner(2), corner(3)});

@@ -43,8 +43,7 @@ private:
         const double part = sweep_.extent * layer / sweep_.cells;
         if (!sweep_.revolved) // backwards, so that a section's normal looks back on both sweeps
             return {sweep_.extent - part, point.x, point.y};
-        const double angle =
-            sweep_.ends == Sweep::Ends::closed ? part : part - 0.5 * sweep_.extent;
+        const double angle = sweep_.ends == Sweep::Ends::closed ? part : part - 0.5 * sweep_.extent;
         const double radius = point.x * sweep_.radius_factor;
         return {radius * std::cos(angle), radius * std::sin(angle), point.y};
     }
@@ -60,7 +59,8 @@ private:
         layer_count_ = swept;
         const bool is_closed = sweep_.ends == Sweep::Ends::closed;
         const int layers = is_closed ? sweep_.cells : sweep_.cells + 1;
-        solid_.points.resize(axis + static_cast<std::size_t>(swept) * static_cast<std::size_t>(layers));
+        solid_.points.resize(axis +
+                             static_cast<std::size_t>(swept) * static_cast<std::size_t>(layers));
         for (Node node = 0; node < section_.points.size(); ++node) {
             if (on_axis(node)) {
                 solid_.points[rank_[node]] = {0.0, 0.0, section_.points[node].y};
@@ -81,8 +81,12 @@ private:
 
     void add_cell(std::span<const Node> corners, int layer) {
         // An anticlockwise section has its normal against the sweep, so the base is the far layer.
-        const auto far = [&](std::size_t at) { return node_at(corners[at % corners.size()], layer + 1); };
-        const auto near = [&](std::size_t at) { return node_at(corners[at % corners.size()], layer); };
+        const auto far = [&](std::size_t at) {
+            return node_at(corners[at % corners.size()], layer + 1);
+        };
+        const auto near = [&](std::size_t at) {
+            return node_at(corners[at % corners.size()], layer);
+        };
         const auto axial = [&](std::size_t at) { return on_axis(corners[at % corners.size()]); };
         std::size_t count = 0;
         std::size_t first = 0; // the first of the axis corners, which follow each other
@@ -108,8 +112,8 @@ private:
             cells.add(CellShape::pyramid5, std::array{far(first + 1), near(first + 1),
                                                       near(first + 2), far(first + 2), far(first)});
         else if (corners.size() == 3 && count == 2)
-            cells.add(CellShape::tetrahedron4, std::array{far(first), far(first + 1),
-                                                          far(first + 2), near(first + 2)});
+            cells.add(CellShape::tetrahedron4,
+                      std::array{far(first), far(first + 1), far(first + 2), near(first + 2)});
         else
             throw std::logic_error("a plane cell touches the axis in a corner only");
     }

@@ -6,8 +6,12 @@
 
 namespace searle::geometry {
 
-constexpr Point operator+(const Point& a, const Point& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-constexpr Point operator-(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+constexpr Point operator+(const Point& a, const Point& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+constexpr Point operator-(const Point& a, const Point& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
 constexpr Point operator*(double factor, const Point& a) {
     return {factor * a.x, factor * a.y, factor * a.z};
 }

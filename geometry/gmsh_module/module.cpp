@@ -59,8 +59,8 @@ void take_triangles(const std::map<std::size_t, std::uint32_t>& number,
                                               number.at(nodes[at + 2])};
         const auto& [a, b, c] = triangle;
         const auto& p = answer.points;
-        const double turn = (p[b].r - p[a].r) * (p[c].z - p[a].z) -
-                            (p[b].z - p[a].z) * (p[c].r - p[a].r);
+        const double turn =
+            (p[b].r - p[a].r) * (p[c].z - p[a].z) - (p[b].z - p[a].z) * (p[c].r - p[a].r);
         if (turn < 0.0)
             std::swap(triangle[1], triangle[2]);
         answer.triangles.push_back(triangle);

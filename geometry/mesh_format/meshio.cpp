@@ -152,15 +152,16 @@ void write_by_meshio(const Mesh& mesh, const fs::path& file) {
         if (code == 0)
             return;
         if (code == no_module)
-            throw MeshToolMissing(fmt::format("meshio could not write {}: {}", file.string(),
-                                              last_line(log)));
+            throw MeshToolMissing(
+                fmt::format("meshio could not write {}: {}", file.string(), last_line(log)));
         if (code != not_there && code != no_meshio)
-            throw MeshError(fmt::format("meshio could not write {}: {}", file.string(),
-                                        last_line(log)));
+            throw MeshError(
+                fmt::format("meshio could not write {}: {}", file.string(), last_line(log)));
     }
-    throw MeshToolMissing(fmt::format("{} files are written by meshio, which is not here; to get it: "
-                                      "apt-get install python3-meshio",
-                                      file.extension().string()));
+    throw MeshToolMissing(
+        fmt::format("{} files are written by meshio, which is not here; to get it: "
+                    "apt-get install python3-meshio",
+                    file.extension().string()));
 }
 
 } // namespace searle::geometry

@@ -18,7 +18,8 @@ void write_names(const Mesh& mesh, TextStream& out) {
     // Patch n is the physical group and the entity n; the fluid follows them.
     out << "$PhysicalNames\n" << mesh.patches.size() + 1 << '\n';
     for (std::size_t patch = 0; patch < mesh.patches.size(); ++patch)
-        out << mesh.dimension - 1 << ' ' << patch + 1 << " \"" << mesh.patches[patch].name << "\"\n";
+        out << mesh.dimension - 1 << ' ' << patch + 1 << " \"" << mesh.patches[patch].name
+            << "\"\n";
     out << mesh.dimension << ' ' << mesh.patches.size() + 1 << " \"fluid\"\n$EndPhysicalNames\n";
 }
 
@@ -155,8 +156,7 @@ void write_msh41(const Mesh& mesh, const std::filesystem::path& file) {
         out << point.x << ' ' << point.y << ' ' << point.z << '\n';
     const std::vector<Run> runs = runs_of(mesh);
     const std::size_t elements = mesh.faces.size() + mesh.cells.size();
-    out << "$EndNodes\n$Elements\n"
-        << runs.size() << ' ' << elements << " 1 " << elements << '\n';
+    out << "$EndNodes\n$Elements\n" << runs.size() << ' ' << elements << " 1 " << elements << '\n';
     std::size_t number = 1;
     for (const Run& run : runs) {
         out << run.dimension << ' ' << run.entity << ' ' << gmsh_type(run.shape) << ' '

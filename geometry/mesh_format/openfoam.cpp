@@ -19,13 +19,18 @@ std::string header(const char* kind, const char* object, const std::string& note
 
 const char* type_of(PatchKind kind) {
     switch (kind) {
-    case PatchKind::wall: return "wall";
-    case PatchKind::wedge: return "wedge";
-    case PatchKind::periodic: return "cyclic";
-    case PatchKind::flat: return "empty";
+    case PatchKind::wall:
+        return "wall";
+    case PatchKind::wedge:
+        return "wedge";
+    case PatchKind::periodic:
+        return "cyclic";
+    case PatchKind::flat:
+        return "empty";
     case PatchKind::free_surface:
     case PatchKind::end_face:
-    case PatchKind::axis: break;
+    case PatchKind::axis:
+        break;
     }
     return "patch";
 }

@@ -16,10 +16,14 @@ using Local = std::array<std::size_t, 3>;
 /// Triangles of a face; a curved one is cut through the middles of its edges too.
 std::vector<Local> triangles_of(CellShape shape) {
     switch (shape) {
-    case CellShape::triangle3: return {{0, 1, 2}};
-    case CellShape::quadrangle4: return {{0, 1, 2}, {0, 2, 3}};
-    case CellShape::triangle6: return {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
-    default: return {{0, 4, 7}, {4, 1, 5}, {5, 2, 6}, {6, 3, 7}, {4, 5, 6}, {4, 6, 7}};
+    case CellShape::triangle3:
+        return {{0, 1, 2}};
+    case CellShape::quadrangle4:
+        return {{0, 1, 2}, {0, 2, 3}};
+    case CellShape::triangle6:
+        return {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
+    default:
+        return {{0, 4, 7}, {4, 1, 5}, {5, 2, 6}, {6, 3, 7}, {4, 5, 6}, {4, 6, 7}};
     }
 }
 

@@ -23,8 +23,8 @@ public:
     TextStream& operator<<(std::string_view text);
     TextStream& operator<<(char letter);
     template <class Number>
-    requires(std::integral<Number> || std::floating_point<Number>)
-    TextStream& operator<<(Number number) {
+    requires(std::integral<Number> || std::floating_point<Number>) TextStream&
+    operator<<(Number number) {
         char digits[32];
         const auto end = std::to_chars(digits, digits + sizeof digits, number).ptr;
         return *this << std::string_view{digits, static_cast<std::size_t>(end - digits)};

@@ -31,19 +31,28 @@ void append(TextStream& out, const std::vector<Item>& items) {
 } // namespace
 
 std::vector<std::uint32_t> vtk_nodes(CellShape shape, std::span<const std::uint32_t> nodes) {
-    static constexpr std::array<std::size_t, 20> hexahedron{0,  1,  2,  3,  4,  5,  6,  7,  8,  11,
-                                                            13, 9,  16, 18, 19, 17, 10, 12, 14, 15};
-    static constexpr std::array<std::size_t, 15> prism{0, 1, 2,  3,  4,  5,  6, 9,
+    static constexpr std::array<std::size_t, 20> hexahedron{0,  1, 2,  3,  4,  5,  6,  7,  8,  11,
+                                                            13, 9, 16, 18, 19, 17, 10, 12, 14, 15};
+    static constexpr std::array<std::size_t, 15> prism{0, 1,  2,  3,  4, 5,  6, 9,
                                                        7, 12, 14, 13, 8, 10, 11};
     static constexpr std::array<std::size_t, 13> pyramid{0, 1, 2, 3, 4, 5, 8, 10, 6, 7, 9, 11, 12};
     static constexpr std::array<std::size_t, 10> tetrahedron{0, 1, 2, 3, 4, 5, 6, 7, 9, 8};
     std::span<const std::size_t> order;
     switch (shape) {
-    case CellShape::hexahedron20: order = hexahedron; break;
-    case CellShape::prism15: order = prism; break;
-    case CellShape::pyramid13: order = pyramid; break;
-    case CellShape::tetrahedron10: order = tetrahedron; break;
-    default: return {nodes.begin(), nodes.end()};
+    case CellShape::hexahedron20:
+        order = hexahedron;
+        break;
+    case CellShape::prism15:
+        order = prism;
+        break;
+    case CellShape::pyramid13:
+        order = pyramid;
+        break;
+    case CellShape::tetrahedron10:
+        order = tetrahedron;
+        break;
+    default:
+        return {nodes.begin(), nodes.end()};
     }
     std::vector<std::uint32_t> result;
     for (const std::size_t at : order)
@@ -65,7 +74,8 @@ void write_vtu(const Mesh& mesh, const std::filesystem::path& file) {
     });
     TextStream out{file};
     std::uint64_t offset = 0;
-    const auto array = [&](const char* type, const char* name, int components, std::uint64_t bytes) {
+    const auto array = [&](const char* type, const char* name, int components,
+                           std::uint64_t bytes) {
         out << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\""
             << components << "\" format=\"appended\" offset=\"" << offset << "\"/>\n";
         offset += bytes + sizeof(std::uint64_t);
@@ -83,8 +93,8 @@ void write_vtu(const Mesh& mesh, const std::filesystem::path& file) {
     number("fluid", 0);
     for (std::size_t patch = 0; patch < mesh.patches.size(); ++patch)
         number(mesh.patches[patch].name, patch + 1);
-    out << "</FieldData>\n<Piece NumberOfPoints=\"" << mesh.points.size()
-        << "\" NumberOfCells=\"" << types.size() << "\">\n<Points>\n";
+    out << "</FieldData>\n<Piece NumberOfPoints=\"" << mesh.points.size() << "\" NumberOfCells=\""
+        << types.size() << "\">\n<Points>\n";
     static_assert(sizeof(Point) == 3 * sizeof(double));
     array("Float64", "points", 3, mesh.points.size() * sizeof(Point));
     out << "</Points>\n<Cells>\n";
@@ -123,9 +133,8 @@ void write_vtk(const Mesh& mesh, const std::filesystem::path& file) {
         out << vtk_type(shape) << '\n';
     });
     out << "CELL_DATA " << count << "\nSCALARS patch int 1\nLOOKUP_TABLE default\n";
-    for_each_vtk_cell(mesh, [&](CellShape, std::span<const std::uint32_t>, int patch) {
-        out << patch << '\n';
-    });
+    for_each_vtk_cell(
+        mesh, [&](CellShape, std::span<const std::uint32_t>, int patch) { out << patch << '\n'; });
     out.close();
 }
 

@@ -9,20 +9,34 @@ namespace searle::geometry {
 /// VTK's number of a cell type.
 [[nodiscard]] constexpr int vtk_type(CellShape shape) {
     switch (shape) {
-    case CellShape::line2: return 3;
-    case CellShape::triangle3: return 5;
-    case CellShape::quadrangle4: return 9;
-    case CellShape::tetrahedron4: return 10;
-    case CellShape::hexahedron8: return 12;
-    case CellShape::prism6: return 13;
-    case CellShape::pyramid5: return 14;
-    case CellShape::line3: return 21;
-    case CellShape::triangle6: return 22;
-    case CellShape::quadrangle8: return 23;
-    case CellShape::tetrahedron10: return 24;
-    case CellShape::hexahedron20: return 25;
-    case CellShape::prism15: return 26;
-    case CellShape::pyramid13: return 27;
+    case CellShape::line2:
+        return 3;
+    case CellShape::triangle3:
+        return 5;
+    case CellShape::quadrangle4:
+        return 9;
+    case CellShape::tetrahedron4:
+        return 10;
+    case CellShape::hexahedron8:
+        return 12;
+    case CellShape::prism6:
+        return 13;
+    case CellShape::pyramid5:
+        return 14;
+    case CellShape::line3:
+        return 21;
+    case CellShape::triangle6:
+        return 22;
+    case CellShape::quadrangle8:
+        return 23;
+    case CellShape::tetrahedron10:
+        return 24;
+    case CellShape::hexahedron20:
+        return 25;
+    case CellShape::prism15:
+        return 26;
+    case CellShape::pyramid13:
+        return 27;
     }
     return 0;
 }

@@ -16,20 +16,27 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What meshio 5 writes from mixed meshes, apart from the formats written here.
-constexpr std::array meshio_endings{".xdmf", ".xmf", ".inp", ".su2",  ".mesh", ".meshb", ".bdf",
-                                    ".fem",  ".nas", ".med", ".e",    ".exo",  ".ex2",   ".cgns",
-                                    ".h5m",  ".ugrid", ".avs", ".mdpa", ".xml",  ".vol",  ".post",
-                                    ".dato", ".dat", ".tec", ".f3grid", ".off", ".obj",  ".ply"};
+constexpr std::array meshio_endings{
+    ".xdmf", ".xmf",  ".inp", ".su2",  ".mesh",   ".meshb", ".bdf", ".fem",  ".nas", ".med",
+    ".e",    ".exo",  ".ex2", ".cgns", ".h5m",    ".ugrid", ".avs", ".mdpa", ".xml", ".vol",
+    ".post", ".dato", ".dat", ".tec",  ".f3grid", ".off",   ".obj", ".ply"};
 
 void write_as(const Mesh& mesh, const fs::path& path, MeshFormat format) {
     switch (format) {
-    case MeshFormat::msh41: return write_msh41(mesh, path);
-    case MeshFormat::msh22: return write_msh22(mesh, path);
-    case MeshFormat::vtu: return write_vtu(mesh, path);
-    case MeshFormat::vtk: return write_vtk(mesh, path);
-    case MeshFormat::stl: return write_stl(mesh, path);
-    case MeshFormat::openfoam: return write_openfoam(mesh, path);
-    case MeshFormat::meshio: return write_by_meshio(mesh, path);
+    case MeshFormat::msh41:
+        return write_msh41(mesh, path);
+    case MeshFormat::msh22:
+        return write_msh22(mesh, path);
+    case MeshFormat::vtu:
+        return write_vtu(mesh, path);
+    case MeshFormat::vtk:
+        return write_vtk(mesh, path);
+    case MeshFormat::stl:
+        return write_stl(mesh, path);
+    case MeshFormat::openfoam:
+        return write_openfoam(mesh, path);
+    case MeshFormat::meshio:
+        return write_by_meshio(mesh, path);
     }
 }
 

@@ -10,13 +10,13 @@
 namespace searle::geometry {
 
 enum class MeshFormat {
-    msh41,   ///< gmsh 4.1
-    msh22,   ///< gmsh 2.2
-    vtu,     ///< VTK's XML file, raw binary
-    vtk,     ///< VTK's legacy file, text
-    stl,     ///< the boundary in triangles, a solid a patch
-    openfoam,///< a folder that gets constant/polyMesh
-    meshio   ///< any other ending that meshio knows
+    msh41,    ///< gmsh 4.1
+    msh22,    ///< gmsh 2.2
+    vtu,      ///< VTK's XML file, raw binary
+    vtk,      ///< VTK's legacy file, text
+    stl,      ///< the boundary in triangles, a solid a patch
+    openfoam, ///< a folder that gets constant/polyMesh
+    meshio    ///< any other ending that meshio knows
 };
 
 /// The format for a path: by its ending, or OpenFOAM for a folder (a path that ends in '/', or a

@@ -65,24 +65,24 @@ void add_block(const BlockLayout& layout, const BlockLayout::Block& block,
                 const double top = fractions(block.top)[column];
                 const double left = fractions(block.left)[row];
                 const double right = fractions(block.right)[row];
-                const double u = (bottom + left * (top - bottom)) /
-                                 (1.0 - (top - bottom) * (right - left));
+                const double u =
+                    (bottom + left * (top - bottom)) / (1.0 - (top - bottom) * (right - left));
                 const double v = left + u * (right - left);
                 const auto blend = [u, v](double p00, double p10, double p01, double p11) {
                     return (1 - v) * ((1 - u) * p00 + u * p10) + v * ((1 - u) * p01 + u * p11);
                 };
                 node = static_cast<std::uint32_t>(mesh.points.size());
-                mesh.points.push_back({blend(c00.x, c10.x, c01.x, c11.x),
-                                       blend(c00.y, c10.y, c01.y, c11.y), 0.0});
+                mesh.points.push_back(
+                    {blend(c00.x, c10.x, c01.x, c11.x), blend(c00.y, c10.y, c01.y, c11.y), 0.0});
             }
         }
     }
     for (std::size_t row = 0; row + 1 < rows; ++row)
         for (std::size_t column = 0; column + 1 < columns; ++column) {
             const std::size_t at = row * columns + column;
-            mesh.cells.add(CellShape::quadrangle4, std::array{grid[at], grid[at + 1],
-                                                              grid[at + 1 + columns],
-                                                              grid[at + columns]});
+            mesh.cells.add(
+                CellShape::quadrangle4,
+                std::array{grid[at], grid[at + 1], grid[at + 1 + columns], grid[at + columns]});
         }
 }
 
@@ -113,8 +113,10 @@ void BlockLayout::block(int bottom, int right, int top, int left) {
 std::int64_t BlockLayout::cell_count() const {
     std::int64_t count = 0;
     for (const Block& block : blocks)
-        count += static_cast<std::int64_t>(edges[static_cast<std::size_t>(block.bottom)].fractions.size() - 1) *
-                 static_cast<std::int64_t>(edges[static_cast<std::size_t>(block.left)].fractions.size() - 1);
+        count += static_cast<std::int64_t>(
+                     edges[static_cast<std::size_t>(block.bottom)].fractions.size() - 1) *
+                 static_cast<std::int64_t>(
+                     edges[static_cast<std::size_t>(block.left)].fractions.size() - 1);
     return count;
 }
 

@@ -16,8 +16,8 @@ using Fractions = std::vector<double>;
 class DinBobLayout {
 public:
     DinBobLayout(const DinBob& bob, const MeshSettings& settings)
-        : bob_{bob}, settings_{settings},
-          size_{resolution_for(bob.gap(), bob.height(), bob.bob_radius, settings)},
+        : bob_{bob}, settings_{settings}, size_{resolution_for(bob.gap(), bob.height(),
+                                                               bob.bob_radius, settings)},
           across_{cells_across(bob.gap(), settings).fractions} {
         floor_centre_ = layout_.corner(0.0, floor());
         floor_rim_ = layout_.corner(bob.cup_radius, floor());
@@ -84,11 +84,11 @@ private:
 
     void add_gap() {
         const double height = bob_.height();
-        const Spacing along{size_.wall_cell, bob_.top_ratio > 0 ? size_.wall_cell : size_.axial_cell,
+        const Spacing along{size_.wall_cell,
+                            bob_.top_ratio > 0 ? size_.wall_cell : size_.axial_cell,
                             size_.axial_cell, size_.growth};
-        const int rows = settings_.axial_cells.value_or(
-            bounded_count(graded_cell_count(height, along), settings_.most_cells,
-                          "along the cylinder"));
+        const int rows = settings_.axial_cells.value_or(bounded_count(
+            graded_cell_count(height, along), settings_.most_cells, "along the cylinder"));
         const Fractions axial = graded_fractions(height, along, rows);
         const int shoulder = layout_.corner(bob_.bob_radius, height);
         const int beside = layout_.corner(bob_.cup_radius, height);
@@ -99,8 +99,8 @@ private:
             layout_.block(neck_, cup, top, bob);
             add_above(shoulder, beside, top);
         } else {
-            const int top = layout_.edge(shoulder, beside, across_, "free_surface",
-                                         PatchKind::free_surface);
+            const int top =
+                layout_.edge(shoulder, beside, across_, "free_surface", PatchKind::free_surface);
             layout_.block(neck_, cup, top, bob);
         }
     }
@@ -109,8 +109,8 @@ private:
         const double above = bob_.top_ratio * bob_.bob_radius;
         const double level = bob_.height() + above;
         const double shaft_radius = bob_.shaft_ratio * bob_.bob_radius;
-        const Fractions up = graded(above, size_.wall_cell, size_.bulk_cell, size_.bulk_cell,
-                                    "above the bob");
+        const Fractions up =
+            graded(above, size_.wall_cell, size_.bulk_cell, size_.bulk_cell, "above the bob");
         const Fractions inwards = graded(bob_.bob_radius - shaft_radius, size_.bulk_cell,
                                          size_.wall_cell, size_.bulk_cell, "above the bob");
         const int shaft_foot = layout_.corner(shaft_radius, bob_.height());

@@ -63,14 +63,13 @@ BlockLayout joined_gaps(const DoubleGap& it, const MeshSettings& settings) {
     };
     const Fractions inner = cells_across(it.inner_gap(), settings).fractions;
     const Fractions outer = cells_across(it.outer_gap(), settings).fractions;
-    const Fractions edge_cells = graded(outside - inside, size.wall_cell, size.wall_cell,
-                                        size.bulk_cell, "under the rotor");
+    const Fractions edge_cells =
+        graded(outside - inside, size.wall_cell, size.wall_cell, size.bulk_cell, "under the rotor");
     const Fractions below =
         graded(clearance, size.wall_cell, size.wall_cell, size.bulk_cell, "under the rotor");
     const Spacing along{size.wall_cell, size.axial_cell, size.axial_cell, size.growth};
-    const int rows = settings.axial_cells.value_or(
-        bounded_count(graded_cell_count(it.height, along), settings.most_cells,
-                      "along the cylinder"));
+    const int rows = settings.axial_cells.value_or(bounded_count(
+        graded_cell_count(it.height, along), settings.most_cells, "along the cylinder"));
     const Fractions axial = graded_fractions(it.height, along, rows);
 
     BlockLayout layout;
@@ -94,12 +93,13 @@ BlockLayout joined_gaps(const DoubleGap& it, const MeshSettings& settings) {
     }
     for (std::size_t at = 0; at < 3; ++at) {
         const int bottom = layout.edge(floor[at], floor[at + 1], *across[at], "cup_floor");
-        const int middle = layout.edge(rim[at], rim[at + 1], *across[at], at == 1 ? "bob_edge" : "");
+        const int middle =
+            layout.edge(rim[at], rim[at + 1], *across[at], at == 1 ? "bob_edge" : "");
         layout.block(bottom, below_edge[at + 1], middle, below_edge[at]);
         if (at == 1)
             continue;
-        const int surface = layout.edge(top[at], top[at + 1], *across[at], "free_surface",
-                                        PatchKind::free_surface);
+        const int surface =
+            layout.edge(top[at], top[at + 1], *across[at], "free_surface", PatchKind::free_surface);
         layout.block(middle, wall_edge[at + 1], surface, wall_edge[at]);
     }
     return layout;

@@ -35,8 +35,8 @@ LocalSize::LocalSize(const Outline& outline, const TriangleSizes& sizes)
         const SectionPoint& last = outline.start(before);
         const SectionPoint& here = outline.start(at);
         const SectionPoint& next = outline.end(at);
-        const double turn = (here.r - last.r) * (next.z - here.z) -
-                            (here.z - last.z) * (next.r - here.r);
+        const double turn =
+            (here.r - last.r) * (next.z - here.z) - (here.z - last.z) * (next.r - here.r);
         const bool are_walls = outline.edges[at].kind == PatchKind::wall &&
                                outline.edges[before].kind == PatchKind::wall;
         if (turn < 0.0 && are_walls && sizes.fixed <= 0.0) {

@@ -91,7 +91,8 @@ Mesh triangulated(const std::vector<Outline>& outlines, const TriangleSizes& siz
         for (const Side& side : sides)
             for (std::size_t node = 0; side.patch == first.patch && node + 1 < side.nodes.size();
                  ++node)
-                mesh.faces.add(CellShape::line2, std::array{side.nodes[node], side.nodes[node + 1]});
+                mesh.faces.add(CellShape::line2,
+                               std::array{side.nodes[node], side.nodes[node + 1]});
         patch.count = mesh.faces.size() - patch.first;
         mesh.patches.push_back(std::move(patch));
     }

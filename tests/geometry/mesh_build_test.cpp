@@ -9,6 +9,9 @@
 #include <functional>
 #include <numbers>
 #include <random>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace searle::geometry {
 namespace {
@@ -20,19 +23,23 @@ bool is_profile(const MeshSubject& subject) { return std::holds_alternative<Prof
 
 TEST(MeshBuild, every_kind_extent_style_and_order_is_closed_oriented_and_fills_its_outline) {
     for (const auto& [name, subject] : laboratory_subjects())
-        for (const auto extent : {MeshExtent::section, MeshExtent::wedge, MeshExtent::sector, MeshExtent::full})
-            for (const auto style : {CellStyle::hexahedra, CellStyle::prisms, CellStyle::tetrahedra})
+        for (const auto extent :
+             {MeshExtent::section, MeshExtent::wedge, MeshExtent::sector, MeshExtent::full})
+            for (const auto style :
+                 {CellStyle::hexahedra, CellStyle::prisms, CellStyle::tetrahedra})
                 for (const int order : {1, 2}) {
                     if (is_profile(subject) && style == CellStyle::hexahedra)
                         continue;
-                    MeshSettings settings{.cells_across_gap = 3, .order = order, .extent = extent, .cells = style};
+                    MeshSettings settings{
+                        .cells_across_gap = 3, .order = order, .extent = extent, .cells = style};
                     if (extent == MeshExtent::full)
                         settings.angular_cells = 24;
                     try {
                         const MeshQuality quality = quality_of(build_mesh(subject, settings));
                         EXPECT_TRUE(quality.faults.empty())
-                            << name << ' ' << static_cast<int>(extent) << ' ' << static_cast<int>(style)
-                            << " order " << order << ": " << (quality.faults.empty() ? "" : quality.faults[0]);
+                            << name << ' ' << static_cast<int>(extent) << ' '
+                            << static_cast<int>(style) << " order " << order << ": "
+                            << (quality.faults.empty() ? "" : quality.faults[0]);
                     } catch (const MeshToolMissing& missing) {
                         GTEST_SKIP() << missing.what();
                     }
@@ -50,7 +57,8 @@ TEST(MeshBuild, a_wedge_has_the_tangent_times_the_arc_s_volume) {
         EXPECT_NEAR(quality.volume.value / built.exact().volume / factor, 1.0, 1e-12) << name;
         for (const CheckedMeasure& area : quality.areas)
             if (area.name == "bob" || area.name == "cup" || area.name == "shaft") {
-                EXPECT_NEAR(area.value / area.exact / factor, 1.0, 1e-12) << name << ' ' << area.name;
+                EXPECT_NEAR(area.value / area.exact / factor, 1.0, 1e-12)
+                    << name << ' ' << area.name;
             }
     }
 }
@@ -79,8 +87,9 @@ TEST(MeshBuild, second_order_follows_the_arc_with_the_fourth_power_of_the_angle)
 }
 
 TEST(MeshBuild, first_cells_have_the_asked_for_height_and_growth) {
-    const BuiltMesh built = build_mesh(ConcentricCylinders{14e-3, 15e-3, 42e-3},
-                                       {.extent = MeshExtent::section, .first_cell = 10e-6, .growth = 1.3, .axial_cells = 1});
+    const BuiltMesh built = build_mesh(
+        ConcentricCylinders{14e-3, 15e-3, 42e-3},
+        {.extent = MeshExtent::section, .first_cell = 10e-6, .growth = 1.3, .axial_cells = 1});
     double first = 1.0;
     for (const Point& point : built.mesh.points)
         if (point.x > 14e-3)
@@ -119,11 +128,14 @@ public:
     MeshSubject subject() {
         const double radius = between(1e-3, 50e-3);
         switch (whole(0, 3)) {
-        case 0: return ConcentricCylinders{radius, radius * between(1.005, 3.0), radius * between(0.1, 10)};
+        case 0:
+            return ConcentricCylinders{radius, radius * between(1.005, 3.0),
+                                       radius * between(0.1, 10)};
         case 1: {
             const double inside = radius * between(1.005, 1.5);
             const double outside = inside * between(1.005, 1.3);
-            return DoubleGap{{radius, inside, outside, outside * between(1.005, 1.5)}, radius * between(0.1, 5)};
+            return DoubleGap{{radius, inside, outside, outside * between(1.005, 1.5)},
+                             radius * between(0.1, 5)};
         }
         case 2: {
             DinBob bob{.bob_radius = radius, .cup_radius = radius * between(1.01, 3.0)};
@@ -134,7 +146,8 @@ public:
             bob.shaft_ratio = between(0.05, 0.95);
             return bob;
         }
-        default: return Box{between(1e-5, 1e-2), between(1e-3, 1e-1), between(1e-3, 1e-1)};
+        default:
+            return Box{between(1e-5, 1e-2), between(1e-3, 1e-1), between(1e-3, 1e-1)};
         }
     }
     MeshSettings settings() {
@@ -185,15 +198,42 @@ struct Spoiled {
 TEST(MeshBuild, two_hundred_invalid_requests_are_refused_with_their_cause) {
     const DinBob iso{.bob_radius = 14e-3, .cup_radius = 15.2e-3};
     const std::vector<Spoiled> ways{
-        {[](MeshSubject&, MeshSettings& s, Dice& d) { s.wedge_angle = -d.between(1e-3, 1.0); s.extent.reset(); }, "wedge_angle"},
-        {[](MeshSubject&, MeshSettings& s, Dice& d) { s.wedge_angle = d.between(6.5, 60); s.extent.reset(); }, "wedge_angle"},
-        {[](MeshSubject&, MeshSettings& s, Dice& d) { s = {.cell_size = d.between(0.2, 1.0)}; }, "cell_size"},
-        {[](MeshSubject&, MeshSettings& s, Dice& d) { s = {.first_cell = d.between(0.2, 1.0)}; }, "first_cell"},
-        {[](MeshSubject&, MeshSettings& s, Dice&) { s = {.cells_across_gap = 100000, .axial_cells = 1000000}; }, "most_cells"},
-        {[](MeshSubject&, MeshSettings& s, Dice& d) { s = {.slice_height = d.between(2, 10)}; }, "slice_height"},
-        {[&](MeshSubject& m, MeshSettings&, Dice& d) { DinBob b = iso; b.shaft_ratio = d.between(1.0, 3.0); m = b; }, "shaft"},
-        {[&](MeshSubject& m, MeshSettings&, Dice& d) { DinBob b = iso; b.bottom_ratio = d.between(0.1, 0.5); m = b; }, "cup_floor"},
-        {[](MeshSubject& m, MeshSettings&, Dice& d) { m = ConcentricCylinders{0.02, 0.02 / d.between(1.01, 2), 0.1}; }, "clockwise"},
+        {[](MeshSubject&, MeshSettings& s, Dice& d) {
+             s.wedge_angle = -d.between(1e-3, 1.0);
+             s.extent.reset();
+         },
+         "wedge_angle"},
+        {[](MeshSubject&, MeshSettings& s, Dice& d) {
+             s.wedge_angle = d.between(6.5, 60);
+             s.extent.reset();
+         },
+         "wedge_angle"},
+        {[](MeshSubject&, MeshSettings& s, Dice& d) { s = {.cell_size = d.between(0.2, 1.0)}; },
+         "cell_size"},
+        {[](MeshSubject&, MeshSettings& s, Dice& d) { s = {.first_cell = d.between(0.2, 1.0)}; },
+         "first_cell"},
+        {[](MeshSubject&, MeshSettings& s, Dice&) {
+             s = {.cells_across_gap = 100000, .axial_cells = 1000000};
+         },
+         "most_cells"},
+        {[](MeshSubject&, MeshSettings& s, Dice& d) { s = {.slice_height = d.between(2, 10)}; },
+         "slice_height"},
+        {[&](MeshSubject& m, MeshSettings&, Dice& d) {
+             DinBob b = iso;
+             b.shaft_ratio = d.between(1.0, 3.0);
+             m = b;
+         },
+         "shaft"},
+        {[&](MeshSubject& m, MeshSettings&, Dice& d) {
+             DinBob b = iso;
+             b.bottom_ratio = d.between(0.1, 0.5);
+             m = b;
+         },
+         "cup_floor"},
+        {[](MeshSubject& m, MeshSettings&, Dice& d) {
+             m = ConcentricCylinders{0.02, 0.02 / d.between(1.01, 2), 0.1};
+         },
+         "clockwise"},
         {[](MeshSubject& m, MeshSettings&, Dice& d) {
              const double z = d.between(0.1, 1);
              m = Profile{{{0, -z}, {1, 0}, {1, 2}}, {{0, -0.5 * z}, {2, -2 * z}, {2, 2}}};
@@ -203,7 +243,8 @@ TEST(MeshBuild, two_hundred_invalid_requests_are_refused_with_their_cause) {
     for (int draw = 0; draw < 200; ++draw) {
         const Spoiled& spoiled = ways[static_cast<std::size_t>(draw) % ways.size()];
         MeshSubject subject = dice.subject();
-        if (std::string_view{spoiled.word} == "slice_height" && std::holds_alternative<Profile>(subject))
+        if (std::string_view{spoiled.word} == "slice_height" &&
+            std::holds_alternative<Profile>(subject))
             continue;
         MeshSettings settings = dice.settings();
         settings.slice_height.reset();

@@ -1,5 +1,4 @@
 #include "geometry/mesh_error.hpp"
-#include "geometry/mesh_format/gmsh_numbers.hpp"
 #include "geometry/mesh_format/write_mesh.hpp"
 #include "geometry/mesh_quality.hpp"
 #include "mesh_subjects.hpp"
@@ -7,6 +6,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -35,7 +36,8 @@ public:
 };
 
 std::string output_of(const std::string& command) {
-    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen((command + " 2>&1").c_str(), "r"), pclose);
+    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen((command + " 2>&1").c_str(), "r"),
+                                                     pclose);
     std::string text;
     char part[4096];
     while (pipe && std::fgets(part, sizeof part, pipe.get()) != nullptr)
@@ -54,11 +56,11 @@ bool has_meshio() {
 /// An independent reading of gmsh 2.2: after the manual, not after the writer.
 Mesh read_msh22(const fs::path& file, int dimension) {
     static const std::map<int, CellShape> shapes{
-        {1, CellShape::line2},        {2, CellShape::triangle3},    {3, CellShape::quadrangle4},
-        {4, CellShape::tetrahedron4}, {5, CellShape::hexahedron8},  {6, CellShape::prism6},
-        {7, CellShape::pyramid5},     {8, CellShape::line3},        {9, CellShape::triangle6},
+        {1, CellShape::line2},          {2, CellShape::triangle3},    {3, CellShape::quadrangle4},
+        {4, CellShape::tetrahedron4},   {5, CellShape::hexahedron8},  {6, CellShape::prism6},
+        {7, CellShape::pyramid5},       {8, CellShape::line3},        {9, CellShape::triangle6},
         {11, CellShape::tetrahedron10}, {16, CellShape::quadrangle8}, {17, CellShape::hexahedron20},
-        {18, CellShape::prism15},     {19, CellShape::pyramid13}};
+        {18, CellShape::prism15},       {19, CellShape::pyramid13}};
     Mesh mesh;
     mesh.dimension = dimension;
     std::map<int, std::string> names;
@@ -108,7 +110,8 @@ Mesh read_msh22(const fs::path& file, int dimension) {
         }
     }
     for (const auto& [tag, list] : faces) {
-        mesh.patches.push_back({.name = names[tag], .first = mesh.faces.size(), .count = list.size()});
+        mesh.patches.push_back(
+            {.name = names[tag], .first = mesh.faces.size(), .count = list.size()});
         for (const auto& [shape, nodes] : list)
             mesh.faces.add(shape, nodes);
     }
@@ -120,7 +123,8 @@ TEST(MeshFormat, msh22_reads_back_with_the_same_cells_patches_and_volumes) {
     for (const auto& [name, subject] : laboratory_subjects())
         for (const int order : {1, 2})
             for (const auto extent : {MeshExtent::section, MeshExtent::sector}) {
-                BuiltMesh built = build_mesh(subject, {.cells_across_gap = 4, .order = order, .extent = extent});
+                BuiltMesh built =
+                    build_mesh(subject, {.cells_across_gap = 4, .order = order, .extent = extent});
                 write_mesh(built.mesh, folder.path / "a.msh", MeshFormat::msh22);
                 const MeshQuality before = quality_of(built);
                 built.mesh = read_msh22(folder.path / "a.msh", built.mesh.dimension);
@@ -129,8 +133,9 @@ TEST(MeshFormat, msh22_reads_back_with_the_same_cells_patches_and_volumes) {
                 EXPECT_EQ(after.volume.value, before.volume.value) << name;
                 EXPECT_EQ(after.unmatched + after.misoriented, 0U) << name;
                 for (const CheckedMeasure& area : before.areas) {
-                    const auto same = std::find_if(after.areas.begin(), after.areas.end(),
-                                                   [&](const auto& one) { return one.name == area.name; });
+                    const auto same =
+                        std::find_if(after.areas.begin(), after.areas.end(),
+                                     [&](const auto& one) { return one.name == area.name; });
                     ASSERT_NE(same, after.areas.end()) << name << ' ' << area.name;
                     EXPECT_EQ(same->faces, area.faces) << name << ' ' << area.name;
                     EXPECT_DOUBLE_EQ(same->value, area.value) << name << ' ' << area.name;
@@ -164,7 +169,8 @@ TEST(MeshFormat, meshio_reads_what_is_written_with_names) {
     if (!has_meshio())
         GTEST_SKIP() << "meshio is not here (apt-get install python3-meshio)";
     const Folder folder;
-    const BuiltMesh built = build_mesh(DinBob{.bob_radius = 14e-3, .cup_radius = 15.2e-3}, {.cells_across_gap = 4});
+    const BuiltMesh built =
+        build_mesh(DinBob{.bob_radius = 14e-3, .cup_radius = 15.2e-3}, {.cells_across_gap = 4});
     std::ofstream(folder.path / "summary.py") << meshio_summary;
     for (const char* ending : {"msh", "vtu", "xdmf"}) {
         const fs::path file = folder.path / fmt::format("din.{}", ending);
@@ -173,8 +179,8 @@ TEST(MeshFormat, meshio_reads_what_is_written_with_names) {
         } catch (const MeshToolMissing& missing) {
             GTEST_SKIP() << missing.what();
         }
-        EXPECT_EQ(output_of(fmt::format("/usr/bin/python3 {} {}", (folder.path / "summary.py").string(),
-                                        file.string())),
+        EXPECT_EQ(output_of(fmt::format("/usr/bin/python3 {} {}",
+                                        (folder.path / "summary.py").string(), file.string())),
                   expected_summary(built.mesh))
             << ending;
     }
@@ -184,20 +190,23 @@ TEST(MeshFormat, abaqus_and_su2_keep_the_names) {
     if (!has_meshio())
         GTEST_SKIP() << "meshio is not here (apt-get install python3-meshio)";
     const Folder folder;
-    const BuiltMesh built = build_mesh(ConcentricCylinders{14e-3, 15e-3, 42e-3}, {.cells_across_gap = 3});
+    const BuiltMesh built =
+        build_mesh(ConcentricCylinders{14e-3, 15e-3, 42e-3}, {.cells_across_gap = 3});
     for (const char* ending : {"inp", "su2"}) {
         const fs::path file = folder.path / fmt::format("gap.{}", ending);
         write_mesh(built.mesh, file, *format_of(file));
         std::stringstream text;
         text << std::ifstream(file).rdbuf();
         for (const Patch& patch : built.mesh.patches)
-            EXPECT_NE(text.str().find(patch.name), std::string::npos) << ending << ' ' << patch.name;
+            EXPECT_NE(text.str().find(patch.name), std::string::npos)
+                << ending << ' ' << patch.name;
     }
 }
 
 TEST(MeshFormat, stl_triangles_have_the_patches_areas) {
     const Folder folder;
-    const BuiltMesh built = build_mesh(DinBob{.bob_radius = 14e-3, .cup_radius = 15.2e-3}, {.cells_across_gap = 4});
+    const BuiltMesh built =
+        build_mesh(DinBob{.bob_radius = 14e-3, .cup_radius = 15.2e-3}, {.cells_across_gap = 4});
     write_mesh(built.mesh, folder.path / "din.stl", MeshFormat::stl);
     std::ifstream in(folder.path / "din.stl");
     std::map<std::string, double> areas;
@@ -231,19 +240,25 @@ TEST(MeshFormat, openfoam_says_mesh_ok_for_every_kind_extent_and_resolution) {
     fs::create_directories(folder.path / "system");
     const std::string head = "FoamFile{version 2.0;format ascii;class dictionary;object x;}\n";
     std::ofstream(folder.path / "system/controlDict")
-        << head << "startFrom startTime;startTime 0;stopAt endTime;endTime 1;deltaT 1;writeInterval 1;\n";
+        << head
+        << "startFrom startTime;startTime 0;stopAt endTime;endTime 1;deltaT 1;writeInterval 1;\n";
     std::ofstream(folder.path / "system/fvSchemes")
-        << head << "ddtSchemes{}gradSchemes{}divSchemes{}laplacianSchemes{}interpolationSchemes{}snGradSchemes{}\n";
+        << head
+        << "ddtSchemes{}gradSchemes{}divSchemes{}laplacianSchemes{}interpolationSchemes{}"
+           "snGradSchemes{}\n";
     std::ofstream(folder.path / "system/fvSolution") << head;
     for (const auto& [name, subject] : laboratory_subjects())
         for (const auto extent : {MeshExtent::wedge, MeshExtent::sector, MeshExtent::full})
             for (const int cells : {3, 6, 12}) {
-                const BuiltMesh built = build_mesh(subject, {.cells_across_gap = cells, .extent = extent});
+                const BuiltMesh built =
+                    build_mesh(subject, {.cells_across_gap = cells, .extent = extent});
                 write_mesh(built.mesh, folder.path / "", MeshFormat::openfoam);
-                const std::string said = output_of(fmt::format(
-                    "cd {0} && WM_PROJECT_DIR=/usr/share/openfoam PWD={0} checkMesh", folder.path.string()));
+                const std::string said = output_of(
+                    fmt::format("cd {0} && WM_PROJECT_DIR=/usr/share/openfoam PWD={0} checkMesh",
+                                folder.path.string()));
                 EXPECT_NE(said.find("Mesh OK."), std::string::npos)
-                    << name << ' ' << static_cast<int>(extent) << ' ' << cells << '\n' << said;
+                    << name << ' ' << static_cast<int>(extent) << ' ' << cells << '\n'
+                    << said;
             }
 }
 
@@ -257,8 +272,11 @@ TEST(MeshFormat, an_ending_that_nobody_knows_has_no_format) {
 TEST(MeshFormat, openfoam_refuses_curved_cells_and_sections) {
     const Folder folder;
     const MeshSubject gap = ConcentricCylinders{14e-3, 15e-3, 42e-3};
-    EXPECT_THROW(write_mesh(build_mesh(gap, {.order = 2}).mesh, folder.path / "", MeshFormat::openfoam), MeshError);
-    EXPECT_THROW(write_mesh(build_mesh(gap, {.extent = MeshExtent::section}).mesh, folder.path / "", MeshFormat::openfoam),
+    EXPECT_THROW(
+        write_mesh(build_mesh(gap, {.order = 2}).mesh, folder.path / "", MeshFormat::openfoam),
+        MeshError);
+    EXPECT_THROW(write_mesh(build_mesh(gap, {.extent = MeshExtent::section}).mesh, folder.path / "",
+                            MeshFormat::openfoam),
                  MeshError);
 }
 

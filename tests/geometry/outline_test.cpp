@@ -57,10 +57,9 @@ TEST(Outline, an_edge_that_only_touches_another_is_refused) {
 }
 
 TEST(Outline, a_clockwise_outline_is_refused) {
-    const Outline outline{{{0, 0}, {0, 1}, {1, 1}},
-                          {{"a", PatchKind::wall, ""},
-                           {"b", PatchKind::wall, ""},
-                           {"c", PatchKind::wall, ""}}};
+    const Outline outline{
+        {{0, 0}, {0, 1}, {1, 1}},
+        {{"a", PatchKind::wall, ""}, {"b", PatchKind::wall, ""}, {"c", PatchKind::wall, ""}}};
     EXPECT_NE(refusal_of(outline).find("clockwise"), std::string::npos);
 }
 
