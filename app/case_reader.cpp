@@ -93,15 +93,16 @@ std::vector<casefile::SweptCase> trees_of(const casefile::Document& document,
     complaints.add(std::move(faults));
     faults.clear();
 
+    const std::set<std::string> selectors = casefile::selector_keys(*case_keys().set());
     casefile::Reading sweep_reading;
     std::vector<casefile::SweptCase> trees;
     if (const auto sweep = read_sweep(document.root, sweep_reading)) {
         if (sweep_reading.faults.empty())
-            trees = casefile::cases_of(document.root, *sweep, assignments, faults);
+            trees = casefile::cases_of(document.root, *sweep, assignments, selectors, faults);
     } else {
         trees.push_back({file.stem().string(), document.root});
         for (const casefile::Assignment& assignment : assignments)
-            casefile::assign(trees.back().root, assignment, faults);
+            casefile::assign(trees.back().root, assignment, selectors, faults);
     }
     complaints.add(std::move(sweep_reading.faults));
     complaints.add(std::move(faults));

@@ -32,7 +32,7 @@ void ProgressLine::show(double fraction, std::string_view stage) {
         return;
     next_ = now + (terminal_ ? between_updates : between_lines);
     const int percent = static_cast<int>(100.0 * std::clamp(fraction, 0.0, 1.0));
-    const std::string line = fmt::format("searle: {}{} {} %", prefix_, stage, percent);
+    const std::string line = fmt::format("searle: {}{} % ({})", prefix_, percent, stage);
     if (terminal_) {
         std::fputs(fmt::format("\r{}\033[K", line).c_str(), stderr);
         visible_ = true;

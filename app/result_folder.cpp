@@ -59,7 +59,7 @@ public:
             if (mkdir(path_.c_str(), 0777) == 0)
                 return;
             if (errno != EEXIST || attempt == 1000)
-                fail(path_, errno);
+                fail(parent / name, errno);
         }
     }
     ~StagingFolder() {
@@ -86,10 +86,11 @@ private:
     void (*before_)(int) = nullptr;
 };
 
-void write_file(const fs::path& path, std::string_view content) {
+/// @param final_path  where the file will be in the end, for messages
+void write_file(const fs::path& path, const fs::path& final_path, std::string_view content) {
     const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (file < 0)
-        fail(path, errno);
+        fail(final_path, errno);
     int error = 0;
     while (!content.empty() && error == 0) {
         const ssize_t written = write(file, content.data(), content.size());
@@ -104,17 +105,18 @@ void write_file(const fs::path& path, std::string_view content) {
     if (close(file) != 0 && error == 0)
         error = errno;
     if (error != 0)
-        fail(path, error);
+        fail(final_path, error);
 }
 
-void write_all(const fs::path& folder, const std::vector<ResultFile>& files) {
+void write_all(const fs::path& folder, const fs::path& final_folder,
+               const std::vector<ResultFile>& files) {
     for (const ResultFile& file : files) {
         const fs::path path = folder / file.name;
         std::error_code error;
         fs::create_directories(path.parent_path(), error);
         if (error)
-            fail(path.parent_path(), error.value());
-        write_file(path, file.content);
+            fail(final_folder / file.name, error.value());
+        write_file(path, final_folder / file.name, file.content);
     }
 }
 
@@ -144,7 +146,7 @@ void move_entries(const fs::path& from, const fs::path& to) {
 
 void fill_fixed(const fs::path& folder, const std::vector<ResultFile>& files) {
     const StagingFolder staging(folder, "new");
-    write_all(staging.path(), files);
+    write_all(staging.path(), folder, files);
     std::vector<fs::path> old;
     for (const auto& entry : fs::directory_iterator(folder))
         if (entry.path() != staging.path())
@@ -157,7 +159,7 @@ void fill_fixed(const fs::path& folder, const std::vector<ResultFile>& files) {
 void put_in_place(const fs::path& folder, const std::vector<ResultFile>& files, Occupant occupant) {
     MissingFolders parents(folder.parent_path());
     const StagingFolder staging(folder.parent_path(), folder.filename().string());
-    write_all(staging.path(), files);
+    write_all(staging.path(), folder, files);
     const unsigned how = occupant == Occupant::nothing   ? RENAME_NOREPLACE
                          : occupant == Occupant::results ? RENAME_EXCHANGE
                                                          : 0U;
@@ -202,7 +204,7 @@ void replace_file(const fs::path& file, const std::string& content) try {
     const NoSizeSignal no_size_signal;
     const fs::path target = settled_path(file);
     const StagingFolder staging(target.parent_path(), target.filename().string());
-    write_file(staging.path() / "new", content);
+    write_file(staging.path() / "new", file, content);
     fs::rename(staging.path() / "new", target);
 } catch (const fs::filesystem_error& error) {
     fail(file, error.code().value());

@@ -5,12 +5,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 namespace searle::app {
 namespace {
 
 constexpr std::string_view combined_csv = "rheograms.csv";
+constexpr std::array top_files{std::string_view("report.html"), combined_csv,
+                               std::string_view("summary.json")};
 
 std::string written_value(const Case& source, const std::string& key) {
     const auto found = source.written.find(key);
@@ -78,7 +81,7 @@ SweepRecord sweep_record(const std::vector<SolvedCase>& solved, const std::vecto
     summary.versions = all_versions();
     summary.runs_asked = static_cast<long>(all_cases.size());
     summary.swept_keys = swept_keys_of(all_cases);
-    summary.files = {"report.html", std::string(combined_csv), "summary.json"};
+    summary.files.assign(top_files.begin(), top_files.end());
     for (const SolvedCase& each : solved) {
         RunRecord run = record_of(each, created);
         std::vector<std::string> values;
@@ -111,6 +114,10 @@ std::vector<ResultFile> files_of(const SweepRecord& record) {
     files.push_back({std::string(combined_csv), combined_table(record.runs)});
     files.push_back({"summary.json", summary_json(record.summary)});
     return files;
+}
+
+bool is_top_file(std::string_view name) {
+    return std::find(top_files.begin(), top_files.end(), name) != top_files.end();
 }
 
 SweepRecord read_sweep_record(const std::filesystem::path& folder) {

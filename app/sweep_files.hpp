@@ -3,6 +3,7 @@
 #include "app/run_files.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace searle::app {
@@ -22,6 +23,9 @@ struct SweepRecord {
 /// All files of a sweep's result folder: case by case, and at the top summary.json, report.html
 /// and rheograms.csv, which has the columns `case` and those of rheogram.csv.
 [[nodiscard]] std::vector<ResultFile> files_of(const SweepRecord& record);
+
+/// Whether a file of this name stands at the top of a sweep's result folder.
+[[nodiscard]] bool is_top_file(std::string_view name);
 
 /// Reads a sweep's result folder again. Throws as read_record does.
 [[nodiscard]] SweepRecord read_sweep_record(const std::filesystem::path& folder);

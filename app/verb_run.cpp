@@ -52,6 +52,15 @@ int exit_code_for(Completeness completeness) {
     return ExitCode::done;
 }
 
+/// A run's subfolder must not take the place of a file at the top of the folder.
+void check_run_names(const std::vector<Case>& cases) {
+    for (const Case& each : cases)
+        if (is_top_file(each.name))
+            throw OutputPlaceError(fmt::format(
+                "{}: a run of the sweep is named {}, which is a file of the result folder",
+                each.file.string(), each.name));
+}
+
 void tell(const std::string& message) { std::fputs(message.c_str(), stderr); }
 
 } // namespace
@@ -60,6 +69,8 @@ int run(const RunOptions& options) {
     StageClock clock;
     const std::vector<Case> cases = read_cases(options.case_file, options.overrides);
     clock.end_stage("read");
+    if (cases.size() > 1)
+        check_run_names(cases);
     const fs::path folder = folder_for(options);
     check_output_place(folder, options.replace);
 

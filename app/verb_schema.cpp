@@ -37,46 +37,43 @@ Json row_json(const casefile::ReferenceRow& row) {
             {"example", row.example.empty() ? Json(nullptr) : Json(row.example)}};
 }
 
-constexpr std::string_view markdown_heading =
-    "# Case file reference\n"
-    "\n"
-    "Every key of a case file. Made by `searle schema --markdown` from the declarations that the\n"
-    "program itself reads with.\n"
-    "\n"
-    "A dimensional value is a text with a unit (`\"14 mm\"`, `\"1.0016 mPa.s\"`, `\"100 1/s\"`); "
-    "units are\n"
-    "those of UDUNITS-2, and also `cP`, `P`, `deg`, `rev/min`, `mNm`, `mPas`, `mM`. `1/min` is a "
-    "turn per\n"
-    "minute. A consistency K has the unit `Pa.s^n`, whatever n is. A pure number is a number. An\n"
-    "unknown key is an error, and so is a key that the chosen type or model does not use.\n"
-    "\n"
-    "`--set key=value` replaces a value: `--set geometry.cup_radius=\"16 mm\"`; items of lists "
-    "count from\n"
-    "1: `--set protocol.segments.2.to=\"50 1/s\"`.\n";
+constexpr std::string_view markdown_heading = R"(# Case file reference
 
-constexpr std::string_view sweep_example =
-    "\n"
-    "A sweep is a study in one file:\n"
-    "\n"
-    "```toml\n"
-    "[sweep]\n"
-    "vary = { \"geometry.cup_radius\" = [\"15 mm\", \"16 mm\"], \"protocol.duration\" = [\"35 s\", "
-    "\"70 s\"] }\n"
-    "\n"
-    "[[sweep.runs]]\n"
-    "name = \"as-given\"\n"
-    "\n"
-    "[[sweep.runs]]\n"
-    "name = \"two-segments\"\n"
-    "set = { protocol = { type = \"segments\", segments = [\n"
-    "  { to = \"150 1/s\", duration = \"70 s\" }, { to = \"300 1/s\", duration = \"35 s\" } ] } }\n"
-    "```\n"
-    "\n"
-    "Each run is combined with every combination of the varied values. A section in `set` is "
-    "merged key\n"
-    "by key, unless it names its `type` or `model`: then it takes the section's place. `--set` "
-    "applies to\n"
-    "every case, and must leave the swept keys alone.\n";
+Every key of a case file. Made by `searle schema --markdown` from the declarations that the
+program itself reads with.
+
+A dimensional value is a text with a unit (`"14 mm"`, `"1.0016 mPa.s"`, `"100 1/s"`); units are
+those of UDUNITS-2, and also `cP`, `P`, `deg`, `rev/min`, `mNm`, `mPas`, `mM`. An angular velocity
+is not a shear rate: `rpm`, `rev/min` and `1/min` are turns per minute, `1/s` is a shear rate, and
+`Hz` is refused because it could be either. A consistency K has the unit `Pa.s^n`, whatever n is.
+A pure number is a number. An unknown key is an error, and so is a key that the chosen type or
+model does not use.
+
+`--set key=value` replaces a value: `--set geometry.cup_radius="16 mm"`; items of lists count from
+1: `--set protocol.segments.2.to="50 1/s"`.
+)";
+
+constexpr std::string_view sweep_example = R"(
+A sweep is a study in one file:
+
+```toml
+[sweep]
+vary = { "geometry.cup_radius" = ["15 mm", "16 mm"] }
+
+[[sweep.runs]]
+name = "as-given"
+
+[[sweep.runs]]
+name = "two-segments"
+set = { protocol = { type = "segments", segments = [
+  { to = "150 1/s", duration = "70 s" }, { to = "300 1/s", duration = "35 s" } ] } }
+```
+
+Each run is combined with every combination of the varied values, the first varied key changing
+slowest. A section in `set` is merged key by key, unless it names the `type` of the geometry or the
+protocol, or the `model` of the fluid: then it takes the section's place. `--set` applies to every
+case, and must leave the swept keys alone.
+)";
 
 } // namespace
 

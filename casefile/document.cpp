@@ -84,10 +84,6 @@ std::vector<std::string> parts_of(std::string_view key) {
     return parts;
 }
 
-bool names_a_selector(const Node& table) {
-    return table.find("type") != nullptr || table.find("model") != nullptr;
-}
-
 Fault fault_at(const Assignment& assignment, std::string problem, std::string allowed = "") {
     return {{assignment.key_place}, assignment.key, std::move(problem), std::move(allowed), ""};
 }
@@ -102,16 +98,24 @@ Node* item_of(Node& list, std::string_view part) {
     return &list.items[number - 1];
 }
 
-void merge(Node& into, const Node& value) {
+bool holds_one_of(const Node& table, const std::string& path,
+                  const std::set<std::string>& selectors) {
+    return std::any_of(table.entries.begin(), table.entries.end(), [&](const Entry& entry) {
+        return selectors.contains(fmt::format("{}.{}", path, entry.key));
+    });
+}
+
+void merge(Node& into, const Node& value, const std::string& path,
+           const std::set<std::string>& selectors) {
     if (into.kind != Node::Kind::table || value.kind != Node::Kind::table ||
-        names_a_selector(value)) {
+        holds_one_of(value, path, selectors)) {
         into = value;
         return;
     }
     for (const Entry& entry : value.entries) {
         if (Entry* existing = into.find(entry.key)) {
             existing->key_place = entry.key_place;
-            merge(existing->value, entry.value);
+            merge(existing->value, entry.value, fmt::format("{}.{}", path, entry.key), selectors);
         } else {
             into.entries.push_back(entry);
         }
@@ -152,7 +156,8 @@ void parse_override(std::string_view text, std::vector<Assignment>& assignments,
                            std::move(*node)});
 }
 
-void assign(Node& root, const Assignment& assignment, std::vector<Fault>& faults) {
+void assign(Node& root, const Assignment& assignment, const std::set<std::string>& selectors,
+            std::vector<Fault>& faults) {
     const std::vector<std::string> parts = parts_of(assignment.key);
     Node* at = &root;
     for (std::size_t depth = 0; depth < parts.size(); ++depth) {
@@ -183,7 +188,7 @@ void assign(Node& root, const Assignment& assignment, std::vector<Fault>& faults
             return;
         }
     }
-    merge(*at, assignment.value);
+    merge(*at, assignment.value, assignment.key, selectors);
 }
 
 } // namespace searle::casefile

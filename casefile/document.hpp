@@ -4,6 +4,7 @@
 #include "casefile/node.hpp"
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,8 +40,10 @@ void parse_override(std::string_view text, std::vector<Assignment>& assignments,
                     std::vector<Fault>& faults);
 
 /// Puts the value at its key, making the tables that lead there. A table is merged key by key into
-/// the one that stands there, unless it holds a key of `selectors` ("type", "model"): then it
-/// takes its place. A key that leads through a value that is no table is a fault.
-void assign(Node& root, const Assignment& assignment, std::vector<Fault>& faults);
+/// the one that stands there, unless it holds one of `selectors` (dotted: "geometry.type"), whose
+/// value decides what else the section holds: then it takes the section's place. A key that leads
+/// through a value that is no table is a fault.
+void assign(Node& root, const Assignment& assignment, const std::set<std::string>& selectors,
+            std::vector<Fault>& faults);
 
 } // namespace searle::casefile

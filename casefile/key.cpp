@@ -143,6 +143,14 @@ const Key* KeySet::find(std::string_view name) const {
     return found == keys.end() ? nullptr : &*found;
 }
 
+std::set<std::string> selector_keys(const KeySet& whole_file) {
+    std::set<std::string> keys;
+    for (const Key& section : whole_file.keys)
+        if (section.table && section.table->selector)
+            keys.insert(fmt::format("{}.{}", section.name, section.table->selector->name));
+    return keys;
+}
+
 std::string example_as_toml(const Key& key) {
     const std::string& text = key.example_text;
     if (text.empty() || text.front() == '[' || text.front() == '{')

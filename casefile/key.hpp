@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -125,6 +126,9 @@ struct KeySet {
 
     [[nodiscard]] const Key* find(std::string_view name) const;
 };
+
+/// The selectors of the sections, dotted: "geometry.type".
+[[nodiscard]] std::set<std::string> selector_keys(const KeySet& whole_file);
 
 /// The key's example as it stands in TOML.
 [[nodiscard]] std::string example_as_toml(const Key& key);

@@ -144,6 +144,20 @@ std::string allowed_of(const ReferenceRow& row) {
     return fmt::format("{}, or {}", row.bounds, names);
 }
 
+/// `auto`: what it means; `radial`: ...
+std::string meanings_of_names(const ReferenceRow& row) {
+    std::string text;
+    for (const Word& word : row.words)
+        if (!word.meaning.empty())
+            text += fmt::format("{}`{}`: {}", text.empty() ? "" : "; ", word.name, word.meaning);
+    return text;
+}
+
+std::string with_names(const ReferenceRow& row) {
+    const std::string names = meanings_of_names(row);
+    return names.empty() ? row.meaning : fmt::format("{} {}.", row.meaning, names);
+}
+
 std::string default_column(const ReferenceRow& row) {
     return row.is_required ? "required" : row.default_text;
 }
@@ -193,6 +207,9 @@ std::string reference_text(const std::vector<ReferenceRow>& rows) {
         text += fmt::format("        {}\n", row.meaning);
         if (const std::string allowed = allowed_of(row); !allowed.empty())
             text += fmt::format("        {}\n", allowed);
+        for (const Word& word : row.words)
+            if (!word.meaning.empty())
+                text += fmt::format("            {}: {}\n", word.name, word.meaning);
         if (const std::string units = units_text(row); !units.empty())
             text += fmt::format("        units: {}\n", units);
     }
@@ -219,7 +236,7 @@ std::string reference_markdown(const std::vector<ReferenceRow>& rows) {
         }
         text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", row.key, row.type,
                             units_text(row), for_table(default_column(row)),
-                            for_table(allowed_of(row)), for_table(row.meaning));
+                            for_table(allowed_of(row)), for_table(with_names(row)));
     }
     return text;
 }

@@ -68,8 +68,9 @@ void collect(const Node& table, const std::string& path, std::vector<Assignment>
 class Expansion {
 public:
     Expansion(const Node& root, const Sweep& sweep, const std::vector<Assignment>& overrides,
-              std::vector<Fault>& faults)
-        : sweep_{sweep}, overrides_{overrides}, faults_{faults}, base_{root} {
+              const std::set<std::string>& selectors, std::vector<Fault>& faults)
+        : sweep_{sweep}, overrides_{overrides}, selectors_{selectors}, faults_{faults}, base_{
+                                                                                            root} {
         std::erase_if(base_.entries, [](const Entry& entry) { return entry.key == "sweep"; });
     }
 
@@ -159,7 +160,7 @@ private:
         if (run.set)
             collect(*run.set, "", assignments);
         for (const Assignment& assignment : assignments)
-            assign(root, assignment, faults_);
+            assign(root, assignment, selectors_, faults_);
         return root;
     }
 
@@ -167,13 +168,14 @@ private:
         if (depth == variations_.size()) {
             cases.push_back(start);
             for (const Assignment& override_ : overrides_)
-                assign(cases.back().root, override_, faults_);
+                assign(cases.back().root, override_, selectors_, faults_);
             return;
         }
         const Variation& variation = variations_[depth];
         for (std::size_t at = 0; at < variation.values.size(); ++at) {
             SweptCase next{start.name, start.root};
-            assign(next.root, {variation.key, variation.key_place, variation.values[at]}, faults_);
+            assign(next.root, {variation.key, variation.key_place, variation.values[at]},
+                   selectors_, faults_);
             next.name += fmt::format("{}{}", next.name.empty() ? "" : ",", variation.name_of(at));
             vary(next, depth + 1, cases);
         }
@@ -193,6 +195,7 @@ private:
 
     const Sweep& sweep_;
     const std::vector<Assignment>& overrides_;
+    const std::set<std::string>& selectors_;
     std::vector<Fault>& faults_;
     Node base_;
     std::vector<Variation> variations_;
@@ -229,8 +232,9 @@ Keys<Sweep> sweep_keys() {
 
 std::vector<SweptCase> cases_of(const Node& root, const Sweep& sweep,
                                 const std::vector<Assignment>& overrides,
+                                const std::set<std::string>& selectors,
                                 std::vector<Fault>& faults) {
-    return Expansion{root, sweep, overrides, faults}.all();
+    return Expansion{root, sweep, overrides, selectors, faults}.all();
 }
 
 } // namespace searle::casefile

@@ -4,6 +4,7 @@
 #include "casefile/keys.hpp"
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,7 @@ struct SweptCase {
 /// key in both the sweep and `overrides`.
 [[nodiscard]] std::vector<SweptCase> cases_of(const Node& root, const Sweep& sweep,
                                               const std::vector<Assignment>& overrides,
+                                              const std::set<std::string>& selectors,
                                               std::vector<Fault>& faults);
 
 } // namespace searle::casefile

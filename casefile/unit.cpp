@@ -93,7 +93,7 @@ bool holds_loose_number(std::string_view unit) {
     char before = ' ';
     for (const char sign : unit) {
         const bool digit = std::isdigit(static_cast<unsigned char>(sign)) != 0;
-        if (digit && std::strchr(" ./*(", before))
+        if (digit && std::string_view{" ./*("}.find(before) != std::string_view::npos)
             return true;
         before = sign;
     }
@@ -108,7 +108,8 @@ bool is_well_formed(std::string_view spelling) {
             ++open;
         if (sign == ')' && --open < 0)
             return false;
-        if (!std::isalnum(static_cast<unsigned char>(sign)) && !std::strchr("_.*/^-+ ()%", sign))
+        if (!std::isalnum(static_cast<unsigned char>(sign)) &&
+            std::string_view{"_.*/^-+ ()%"}.find(sign) == std::string_view::npos)
             return false;
     }
     return open == 0;

@@ -80,7 +80,8 @@ Outcome from_text(const Takes& takes, const Node& node) {
                        nearest.empty() && starts_like_number
                            ? fmt::format("{} without quotes", node.text)
                            : nearest};
-    return Refusal{fmt::format("{} is not taken", node.described()), nearest};
+    return Refusal{fmt::format("{} is neither a quantity nor one of the names", node.described()),
+                   nearest};
 }
 
 Outcome from_number(const Takes& takes, double value, const Node& node) {

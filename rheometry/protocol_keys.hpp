@@ -69,7 +69,7 @@ struct ProtocolAsWritten {
 [[nodiscard]] casefile::Keys<SegmentsAsWritten> segments_keys();
 [[nodiscard]] casefile::Keys<ProtocolAsWritten> protocol_keys();
 
-/// The speeds of a range, both ends exact.
+/// The speeds of a range with at least two speeds, both ends exact.
 [[nodiscard]] std::vector<double> speeds_of(const SpeedRange& range);
 
 /// The protocol that a section without faults describes.

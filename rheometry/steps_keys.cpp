@@ -63,9 +63,13 @@ void add_series(casefile::Keys<StepsAsWritten>& keys, const char* name,
         range_keys(kind, low, high));
 }
 
+/// Of a valid series: a range in equal ratios never holds a 0, and says so itself if it is asked
+/// to.
 bool holds_zero(const SpeedSeries& series) {
     if (!series.range)
         return std::find(series.listed.begin(), series.listed.end(), 0.0) != series.listed.end();
+    if (series.range->spacing == Spacing::logarithmic || series.range->count < 2)
+        return false;
     const std::vector<double> speeds = speeds_of(*series.range);
     return std::find(speeds.begin(), speeds.end(), 0.0) != speeds.end();
 }
@@ -128,7 +132,7 @@ casefile::Keys<StepsAsWritten> steps_keys() {
         .above("0 s")
         .at_most("1e9 s")
         .word("steady", "until the flow is steady")
-        .example("steady")
+        .example("10 s")
         .says("How long each speed is held; the first one starts from rest.");
     keys.key("hold_strain", &StepsAsWritten::hold_strain)
         .is_number()

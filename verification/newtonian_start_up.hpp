@@ -32,7 +32,7 @@ private:
     std::vector<double> share_; ///< s_k, s
 };
 
-/// T of the annulus by the closed form of the linear ramp (physics: docs/radial.md, eq. 8), s.
+/// T of the annulus by the closed form of the linear ramp (docs/radial.md, eq. 7), s.
 [[nodiscard]] double annulus_lag(double inner, double outer, double kinematic_viscosity);
 
 } // namespace searle::verification

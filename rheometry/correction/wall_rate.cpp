@@ -21,6 +21,8 @@ constexpr double narrowest_range = 0.4;
 /// the fluid at the cup starts to move if the slowest point is just at the yield stress.
 constexpr double fit_range = 3.0;
 constexpr std::size_t fewest_fitted = 8;
+/// Share of the smallest stress that a yield stress must reach to be told from none.
+constexpr double least_yield_share = 0.02;
 /// Points that a law is fitted to; neighbours are merged beyond.
 constexpr std::size_t most_fitted = 60;
 /// A law that misses the curve by more than this, root mean square of ln(stress), guides nothing.
@@ -155,7 +157,10 @@ std::optional<Yield> yield_of(const FlowCurve& curve, double delta) {
     const auto fit = fit_plug_flow(slow_end.omega(), slow_end.stress(), slow_end.weights, delta);
     if (!fit)
         return std::nullopt;
-    return Yield{*fit, fit->law.yield_stress > certain * fit->yield_standard_error};
+    const PlugFlowLaw& law = fit->law;
+    const double least = std::max(certain * fit->yield_standard_error,
+                                  least_yield_share * slow_end.stress().front());
+    return Yield{*fit, law.yield_stress > least};
 }
 
 GapBranch branch_at(double stress, const std::optional<Yield>& yield, double delta) {

@@ -46,6 +46,7 @@ thead th{border-bottom:1px solid var(--ink);font-weight:600}
 sup,sub{font-size:.72em;line-height:0}
 .yes{color:var(--good);font-weight:600;white-space:nowrap}.no{color:var(--soft);white-space:nowrap}
 .columns figure{margin-bottom:20px}
+.columns .properties th{width:auto}
 .columns{display:grid;grid-template-columns:repeat(2,minmax(0,1fr));gap:0 30px;align-items:start}
 .notes dt{font-weight:600;font-size:14px;margin-top:8px}.notes dd{margin:0 0 0 1.2em;font-size:14px}
 details{margin:0 0 12px}
@@ -64,7 +65,7 @@ summary{cursor:pointer;font-size:14px;padding:6px 0}
 .button:hover,.button:focus{border-color:currentColor}
 code{font-family:ui-monospace,"DejaVu Sans Mono",monospace;font-size:.9em}
 footer{margin-top:40px;padding-top:12px;border-top:1px solid var(--rule);font-size:12.5px;color:var(--soft);overflow-wrap:anywhere}
-@media(max-width:760px){
+@media screen and (max-width:760px){
 main{padding:22px 15px 36px}
 h1{font-size:24px}
 .figures,.wide .panels,.columns{grid-template-columns:minmax(0,1fr)}
@@ -78,6 +79,10 @@ h1{font-size:24px}
 @page{margin:16mm 14mm}
 body{font-size:10.5pt}
 main{max-width:none;padding:0}
+.results{grid-template-columns:repeat(5,1fr)}
+.results dd{font-size:10.5pt}
+figcaption,table,caption{font-size:9pt}
+.figures,.wide .panels,.columns{column-gap:16px}
 h2{break-after:avoid}
 figure,.results,.warnings,tr{break-inside:avoid}
 .button{display:none}

@@ -129,7 +129,7 @@ AxisMap linear_axis(const Axis& axis, Extent extent) {
         extent = {0.0, 1.0};
     }
     const double size = std::max(std::abs(extent.low), std::abs(extent.high));
-    if (size == 0.0) {
+    if (size < smallest_positive) {
         extent = {0.0, 1.0};
     } else if (extent.high - extent.low < axis.least_relative_span * size) {
         widen_to(extent, axis.least_relative_span * size);

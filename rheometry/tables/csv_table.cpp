@@ -15,6 +15,8 @@
 namespace searle::rheometry {
 namespace {
 
+constexpr std::size_t largest_file = std::size_t{1} << 30U;
+
 [[noreturn]] void fail(const std::string& file, std::size_t line, std::string message) {
     throw TableError(file, {{.line = line, .column = {}, .message = std::move(message)}});
 }
@@ -170,7 +172,14 @@ CsvTable CsvTable::read(const std::filesystem::path& file) {
         fail(name, 0,
              std::filesystem::exists(file, ignored) ? "the file cannot be opened"
                                                     : "there is no such file");
-    std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    std::string bytes;
+    std::vector<char> block(std::size_t{1} << 20U);
+    while (stream.read(block.data(), static_cast<std::streamsize>(block.size())) ||
+           stream.gcount() > 0) {
+        bytes.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+        if (bytes.size() > largest_file)
+            fail(name, 0, "the file is larger than 1 GiB; convert it in parts");
+    }
     if (stream.bad())
         fail(name, 0, "the file cannot be read to its end");
     return parse(bytes, name);

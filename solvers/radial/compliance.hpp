@@ -1,7 +1,9 @@
 #pragma once
 
 #include "laws/flow/flow_law.hpp"
+#include "solvers/radial/tabulated_inverse.hpp"
 
+#include <cmath>
 #include <type_traits>
 
 namespace searle::solvers::radial {
@@ -28,6 +30,17 @@ template <class Law>
     return {rate, rate / (law.flow_index * excess)};
 }
 
+template <class Law>
+[[nodiscard]] inline Compliance compliance(const TabulatedLaw<Law>& law, double excess) {
+    const double log_stress = std::log(excess);
+    if (!law.table.covers(log_stress)) {
+        return compliance(static_cast<const Law&>(law), excess);
+    }
+    const InverseTable::Point point = law.table.at(log_stress);
+    const double rate = std::exp(point.log_rate);
+    return {rate, point.log_slope * rate / excess};
+}
+
 /// Largest p with rate ~ excess^p over a stretch of the law: decides how many points integrate it.
 template <class Law>
 [[nodiscard]] inline double rate_exponent(const Law& law) {
@@ -46,6 +59,6 @@ inline constexpr bool smooth_through_rest = false;
 template <>
 inline constexpr bool smooth_through_rest<laws::flow::Newtonian> = true;
 template <>
-inline constexpr bool smooth_through_rest<laws::flow::CarreauYasuda> = true;
+inline constexpr bool smooth_through_rest<TabulatedLaw<laws::flow::CarreauYasuda>> = true;
 
 } // namespace searle::solvers::radial

@@ -21,10 +21,11 @@ constexpr double jump_tolerance = 1e-3;
 template <class Law>
 class Run {
 public:
-    Run(const GapShape& shape, const Law& law, const rheometry::SpeedHistory& history,
-        const GapResolution& resolution)
-        : shape_(shape), history_(history), tolerance_(resolution.step_tolerance),
-          steps_per_row_(resolution.steps_per_row),
+    /// @param original  the law as the scene has it, for the steady flow
+    Run(const GapShape& shape, const Law& law, const laws::flow::AnyFlowLaw& original,
+        const rheometry::SpeedHistory& history, const GapResolution& resolution)
+        : shape_(shape), original_(original), history_(history),
+          tolerance_(resolution.step_tolerance), steps_per_row_(resolution.steps_per_row),
           grid_(graded_grid(shape, resolution.layer, resolution.elements)),
           system_(shape, grid_, law) {
         const std::size_t count = system_.elements();
@@ -107,7 +108,7 @@ private:
             return sign * system_.law().stress(std::abs(speed) / shape_.width());
         }
         const AnnularGap gap{shape_.inner, shape_.outer};
-        return sign * steady_gap_flow(gap, system_.law(), std::abs(speed)).torque_per_length /
+        return sign * steady_gap_flow(gap, original_, std::abs(speed)).torque_per_length /
                (2.0 * std::numbers::pi);
     }
     void guess_steady(double speed) {
@@ -287,6 +288,7 @@ private:
     }
 
     GapShape shape_;
+    const laws::flow::AnyFlowLaw& original_;
     const rheometry::SpeedHistory& history_;
     double tolerance_;
     int steps_per_row_;
@@ -306,13 +308,42 @@ private:
     double transported_ = 0.0;
 };
 
+/// Stress at the fastest wall speed, spread over the gap.
+double typical_stress(const GapShape& shape, const laws::flow::AnyFlowLaw& law,
+                      const rheometry::SpeedHistory& history) {
+    double fastest = std::abs(history.initial_speed);
+    for (const Piece& piece : history.pieces) {
+        fastest = std::max({fastest, std::abs(piece.start_speed), std::abs(piece.end_speed)});
+    }
+    const double radius = shape.planar ? 1.0 : shape.inner;
+    return fastest > 0.0 ? laws::flow::stress(law, fastest * radius / shape.width()) : 1.0;
+}
+
 } // namespace
 
 GapRun run_gap(const GapShape& shape, const laws::flow::AnyFlowLaw& law,
                const rheometry::SpeedHistory& history, const GapResolution& resolution,
                const std::function<void(std::size_t, double)>& at_row) {
+    const auto run = [&](const auto& chosen) {
+        return Run(shape, chosen, law, history, resolution)(at_row);
+    };
+    if (const auto* carreau = std::get_if<laws::flow::CarreauYasuda>(&law)) {
+        return run(TabulatedLaw(*carreau, typical_stress(shape, law, history)));
+    }
+    if (const auto* cross = std::get_if<laws::flow::Cross>(&law)) {
+        return run(TabulatedLaw(*cross, typical_stress(shape, law, history)));
+    }
     return std::visit(
-        [&](const auto& chosen) { return Run(shape, chosen, history, resolution)(at_row); }, law);
+        [&](const auto& chosen) {
+            using Law = std::decay_t<decltype(chosen)>;
+            if constexpr (std::is_same_v<Law, laws::flow::CarreauYasuda> ||
+                          std::is_same_v<Law, laws::flow::Cross>) {
+                return GapRun{};
+            } else {
+                return run(chosen);
+            }
+        },
+        law);
 }
 
 } // namespace searle::solvers::radial

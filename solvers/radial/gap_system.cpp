@@ -306,7 +306,7 @@ template class GapSystem<laws::flow::Bingham>;
 template class GapSystem<laws::flow::PowerLaw>;
 template class GapSystem<laws::flow::HerschelBulkley>;
 template class GapSystem<laws::flow::Casson>;
-template class GapSystem<laws::flow::CarreauYasuda>;
-template class GapSystem<laws::flow::Cross>;
+template class GapSystem<TabulatedLaw<laws::flow::CarreauYasuda>>;
+template class GapSystem<TabulatedLaw<laws::flow::Cross>>;
 
 } // namespace searle::solvers::radial

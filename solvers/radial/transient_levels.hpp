@@ -36,8 +36,9 @@ struct TransientTorque {
 /// Solves all gaps on finer and finer levels, at least three (elements doubled, step tolerance by
 /// sixteen, the order of the scheme), until the error bars are within `accuracy` at every row. The
 /// finest level's torque is the result. Its bar is the difference from the level before, widened by
-/// the neighbouring rows' and by a share of the difference one level earlier, so that two levels that
-/// agree by accident are not believed; for a converging level it is several times the true error.
+/// the neighbouring rows' and by a share of the difference one level earlier, so that two levels
+/// that agree by accident are not believed; for a converging level it is several times the true
+/// error.
 [[nodiscard]] TransientTorque solve_levels(std::span<const RotorGap> gaps,
                                            const laws::flow::AnyFlowLaw& law,
                                            const rheometry::SpeedHistory& history, double accuracy,

@@ -19,7 +19,16 @@ casefile::Keys<ContactSettings> contact_keys() {
         .required()
         .example("1e-2 N/m")
         .says("Stiffness of the normal spring.");
-    keys.key("restitution", &ContactSettings::restitution)
+    keys.custom(
+            "restitution",
+            [](ContactSettings& contact, const casefile::Value& value) {
+                casefile::Slot<double>::store(contact.restitution, value);
+            },
+            [](const ContactSettings& contact) {
+                // A damping takes its place, also in the case as resolved.
+                return contact.damping ? std::nullopt
+                                       : std::optional{casefile::Value{contact.restitution}};
+            })
         .is_number()
         .above("0")
         .at_most("1")

@@ -131,11 +131,11 @@ TEST_F(Cases, figure_3) {
     struct Gap {
         std::string cup;
         double lag; // s
-        double
-            vortex_rate; // 1/s, onset of Taylor vortices at the bob's wall; physics of docs/plan.md
+        /// 1/s at the bob: Re_c nu/(R d) times the rate's factor, Re_c = 160.504 and 118.157.
+        double vortex_rate;
     };
-    for (const Gap& gap : {Gap{"14.5mm", 0.07879433, 1e9}, Gap{"15mm", 0.29957481, 178.6},
-                           Gap{"16mm", 1.08803282, 36.15}})
+    for (const Gap& gap : {Gap{"14.5mm", 0.07879433, 1e9}, Gap{"15mm", 0.29957481, 178.50},
+                           Gap{"16mm", 1.08803282, 36.13}})
         for (const char* run : {"35s", "17.5s", "8.75s", "two-segments"}) {
             const std::string name = std::string(run) + ",cup_radius=" + gap.cup;
             const Rheogram rheogram =

@@ -203,4 +203,16 @@ TEST(RunVerb, a_sweep_gives_a_folder_a_run_and_one_figure) {
     EXPECT_EQ(names_in(folder / "results"), "gaps");
 }
 
+TEST(RunVerb, a_run_named_like_a_file_of_the_folder_is_refused) {
+    const TemporaryFolder folder;
+    const std::string text = sweep_text;
+    write_text(folder / "gaps.toml",
+               text.substr(0, text.find("[sweep]")) +
+                   "[[sweep.runs]]\nname = \"a\"\n[[sweep.runs]]\nname = \"summary.json\"\n");
+    const Outcome outcome = searle({"run", "gaps.toml"}, folder.path());
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_TRUE(holds(outcome.err, "summary.json")) << outcome.err;
+    EXPECT_EQ(names_in(folder.path()), "gaps.toml");
+}
+
 } // namespace

@@ -1,8 +1,8 @@
-#include "independent_gap_flow.hpp"
 #include "rheometry/correction/gap_inversion.hpp"
 #include "rheometry/correction/plug_flow_fit.hpp"
 #include "rheometry/correction/rotor_rate.hpp"
 #include "rheometry/correction/wall_rate.hpp"
+#include "tests/rheometry/independent_gap_flow.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
