@@ -54,7 +54,10 @@ GapCells cells_across(double gap, const MeshSettings& settings) {
     GapCells cells;
     if (settings.first_cell) {
         const double growth = settings.growth.value_or(default_growth);
-        const Spacing spacing{*settings.first_cell, *settings.first_cell, gap, growth};
+        // The size grows within the first cell too, whose height is then as asked for.
+        const double start = growth > 1.0 ? *settings.first_cell * std::log(growth) / (growth - 1.0)
+                                          : *settings.first_cell;
+        const Spacing spacing{start, start, gap, growth};
         const int count =
             bounded_count(graded_cell_count(gap, spacing), settings.most_cells, "across the gap");
         cells.fractions = graded_fractions(gap, spacing, count);

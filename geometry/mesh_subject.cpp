@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 
 namespace searle::geometry {
 namespace {
@@ -94,6 +95,24 @@ struct Draw {
                     .gap = it.gap(),
                     .slice = {.height = height, .instrument_height = it.height()}};
         }
+        if (!(it.shaft_ratio > 0.0 && it.shaft_ratio < 1.0))
+            throw MeshError(
+                fmt::format("the shaft, geometry.shaft_ratio = {:.6g}, is not thinner than "
+                            "the bob",
+                            it.shaft_ratio));
+        if (!(it.cone_angle > 0.0 && it.cone_angle <= std::numbers::pi))
+            throw MeshError(
+                fmt::format("geometry.cone_angle = {:.6g} deg is not between 0 and 180 deg",
+                            it.cone_angle * 180.0 / std::numbers::pi));
+        if (it.top_ratio < 0.0)
+            throw MeshError(
+                fmt::format("the liquid's level, geometry.top_ratio = {:.6g}, is below the "
+                            "bob's top",
+                            it.top_ratio));
+        if (!(it.tip_clearance() > 0.0))
+            throw MeshError(fmt::format("the cone's tip reaches the floor (cup_floor): "
+                                        "geometry.bottom_ratio = {:.6g} is not above {:.6g}",
+                                        it.bottom_ratio, it.cone_height() / it.bob_radius));
         const double R = it.bob_radius;
         const double top = it.height() + it.top_ratio * R;
         const double shaft = it.shaft_ratio * R;

@@ -147,6 +147,7 @@ TEST(MeshFormat, msh22_reads_back_with_the_same_cells_patches_and_volumes) {
 constexpr const char* meshio_summary = R"(
 import sys, meshio, numpy
 mesh = meshio.read(sys.argv[1])
+print('summary')
 data = mesh.cell_data.get('gmsh:physical') or mesh.cell_data['patch']
 solid = ('hexahedron', 'wedge', 'pyramid', 'tetra')
 print('cells', sum(len(b.data) for b in mesh.cells if b.type.rstrip('0123456789') in solid))
@@ -159,7 +160,7 @@ std::string expected_summary(const Mesh& mesh) {
     std::map<std::string, std::size_t> counts{{"fluid", mesh.cells.size()}};
     for (const Patch& patch : mesh.patches)
         counts[patch.name] = patch.count;
-    std::string text = fmt::format("cells {}\n", mesh.cells.size());
+    std::string text = fmt::format("summary\ncells {}\n", mesh.cells.size());
     for (const auto& [name, count] : counts)
         text += fmt::format("{} {}\n", name, count);
     return text;
