@@ -45,7 +45,7 @@ void measure(const char* name, const MeshSubject& subject, const MeshSettings& s
 int main() {
     const DinBob bob{.bob_radius = 14e-3, .cup_radius = 1.0847 * 14e-3};
     MeshSettings wedge;
-    wedge.cells_across_gap = 320;
+    wedge.cells_across_gap = 340;
     measure("DIN bob, wedge", bob, wedge);
     MeshSettings slice;
     slice.cells_across_gap = 100;

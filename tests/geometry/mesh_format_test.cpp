@@ -180,8 +180,11 @@ TEST(MeshFormat, meshio_reads_what_is_written_with_names) {
         } catch (const MeshToolMissing& missing) {
             GTEST_SKIP() << missing.what();
         }
-        EXPECT_EQ(output_of(fmt::format("/usr/bin/python3 {} {}",
-                                        (folder.path / "summary.py").string(), file.string())),
+        // meshio may print of itself before.
+        const std::string said = output_of(fmt::format(
+            "/usr/bin/python3 {} {}", (folder.path / "summary.py").string(), file.string()));
+        const std::size_t start = said.find("summary");
+        EXPECT_EQ(start == std::string::npos ? said : said.substr(start),
                   expected_summary(built.mesh))
             << ending;
     }

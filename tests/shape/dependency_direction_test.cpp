@@ -38,7 +38,9 @@ const std::map<std::string, std::set<std::string>> third_party{
     {"udunits2", {"casefile/unit.cpp"}},
     {"freexl", {"rheometry/tables/spreadsheet.cpp"}},
     {"CLI/", {"app/command_line.cpp"}},
-    {"nlohmann", {"app/plan_as_json.cpp", "app/summary_json.cpp", "app/verb_schema.cpp"}},
+    {"gmsh.h", {"geometry/gmsh_module/module.cpp"}},
+    {"CGAL/", {"geometry/outline_check.cpp"}},
+    {"nlohmann", {"app/mesh_table.cpp", "app/plan_as_json.cpp", "app/summary_json.cpp", "app/verb_schema.cpp"}},
 };
 
 struct Include {
