@@ -22,7 +22,7 @@ class Complaints {
 public:
     void add(std::vector<casefile::Fault> faults) {
         for (casefile::Fault& fault : faults)
-            if (said_.insert(fault.text()).second)
+            if (said_.insert(identity(fault)).second)
                 faults_.push_back(std::move(fault));
     }
     void raise_if_any() {
@@ -31,6 +31,13 @@ public:
     }
 
 private:
+    static std::string identity(const casefile::Fault& fault) {
+        std::string text = fmt::format("{}\n{}", fault.key, fault.problem);
+        for (const casefile::Place& place : fault.places)
+            text += fmt::format("\n{}:{}:{}", place.source->name, place.line, place.column);
+        return text;
+    }
+
     std::set<std::string> said_;
     std::vector<casefile::Fault> faults_;
 };

@@ -69,33 +69,33 @@ fs::path settled_path(const fs::path& folder) {
     return settled.has_filename() ? settled : settled.parent_path();
 }
 
-Occupant check_output_place(const fs::path& asked, bool replace) try {
-    const fs::path folder = settled_path(asked);
-    const fs::file_status status = fs::status(folder);
+Occupant check_output_place(const fs::path& folder, bool replace) try {
+    const fs::path settled = settled_path(folder);
+    const fs::file_status status = fs::status(settled);
     if (!fs::exists(status)) {
-        if (fs::is_symlink(fs::symlink_status(folder)))
-            refuse(asked, "is a link to something that does not exist");
-        check_parent(asked, folder);
+        if (fs::is_symlink(fs::symlink_status(settled)))
+            refuse(folder, "is a link to something that does not exist");
+        check_parent(folder, settled);
         return Occupant::nothing;
     }
     if (!fs::is_directory(status))
-        refuse(asked, "is a file; results need a folder (choose another with -o)");
-    if (fs::is_empty(folder)) {
-        check_writable(asked, folder);
+        refuse(folder, "is a file; results need a folder (choose another with -o)");
+    if (fs::is_empty(settled)) {
+        check_writable(folder, settled);
         return Occupant::empty_folder;
     }
-    const std::string foreign = foreign_file(folder);
+    const std::string foreign = foreign_file(settled);
     if (!foreign.empty())
-        refuse(asked,
+        refuse(folder,
                fmt::format("holds {}, which is not part of a Searle result; it is left as it "
                            "is (choose another folder with -o)",
                            foreign));
     if (!replace)
-        refuse(asked, "holds results already; --force replaces them, -o chooses another folder");
-    check_writable(asked, folder);
+        refuse(folder, "holds results already; --force replaces them, -o chooses another folder");
+    check_writable(folder, settled);
     return Occupant::results;
 } catch (const fs::filesystem_error& error) {
-    refuse(asked, error.code().message());
+    refuse(folder, error.code().message());
 }
 
 } // namespace searle::app

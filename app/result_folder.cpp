@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdio>
 #include <fcntl.h>
+#include <ranges>
 #include <string_view>
 #include <sys/stat.h>
 #include <system_error>
@@ -32,15 +33,15 @@ public:
         std::vector<fs::path> missing;
         for (fs::path at = folder; !fs::exists(at); at = at.parent_path())
             missing.push_back(at);
-        for (auto at = missing.rbegin(); at != missing.rend(); ++at) {
-            if (mkdir(at->c_str(), 0777) != 0 && errno != EEXIST)
-                fail(*at, errno);
-            made_.push_back(*at);
+        for (const fs::path& path : std::views::reverse(missing)) {
+            if (mkdir(path.c_str(), 0777) != 0 && errno != EEXIST)
+                fail(path, errno);
+            made_.push_back(path);
         }
     }
     ~MissingFolders() {
-        for (auto at = made_.rbegin(); at != made_.rend(); ++at)
-            rmdir(at->c_str()); // leaves a folder that someone else has put something into
+        for (const fs::path& path : std::views::reverse(made_))
+            rmdir(path.c_str()); // leaves a folder that someone else has put something into
     }
     MissingFolders(const MissingFolders&) = delete;
     MissingFolders& operator=(const MissingFolders&) = delete;
@@ -185,18 +186,18 @@ void put_in_place(const fs::path& folder, const std::vector<ResultFile>& files, 
 
 } // namespace
 
-void write_result_folder(const fs::path& asked, const std::vector<ResultFile>& files,
+void write_result_folder(const fs::path& folder, const std::vector<ResultFile>& files,
                          bool replace) try {
     const SignalsHeld no_interrupt;
     const NoSizeSignal no_size_signal;
-    const Occupant occupant = check_output_place(asked, replace);
-    const fs::path folder = settled_path(asked);
-    if (occupant != Occupant::nothing && is_fixed(folder))
-        fill_fixed(folder, files);
+    const Occupant occupant = check_output_place(folder, replace);
+    const fs::path settled = settled_path(folder);
+    if (occupant != Occupant::nothing && is_fixed(settled))
+        fill_fixed(settled, files);
     else
-        put_in_place(folder, files, occupant);
+        put_in_place(settled, files, occupant);
 } catch (const fs::filesystem_error& error) {
-    fail(asked, error.code().value());
+    fail(folder, error.code().value());
 }
 
 void replace_file(const fs::path& file, const std::string& content) try {

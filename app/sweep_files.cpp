@@ -58,12 +58,13 @@ std::string combined_table(const std::vector<RunRecord>& runs) {
 
 std::vector<std::string> swept_keys_of(const std::vector<Case>& cases) {
     std::vector<std::string> keys;
-    for (const auto& [key, value] : cases.front().written) {
-        const bool everywhere = std::all_of(cases.begin(), cases.end(), [&](const Case& each) {
+    for (const auto& entry : cases.front().written) {
+        const std::string& key = entry.first;
+        const bool everywhere = std::all_of(cases.begin(), cases.end(), [&key](const Case& each) {
             return each.written.contains(key);
         });
-        const bool differs = std::any_of(cases.begin(), cases.end(), [&](const Case& each) {
-            return written_value(each, key) != value;
+        const bool differs = std::any_of(cases.begin(), cases.end(), [&entry](const Case& each) {
+            return written_value(each, entry.first) != entry.second;
         });
         if (key != "title" && everywhere && differs)
             keys.push_back(key);

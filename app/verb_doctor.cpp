@@ -2,6 +2,7 @@
 
 #include "app/exit_code.hpp"
 #include "app/versions.hpp"
+#include "casefile/unit.hpp"
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -70,19 +72,34 @@ std::string line_for(const OptionalTool& tool) {
                        tool.package, tool.use);
 }
 
+/// The file of units is read when the program runs, so it can be missing although all was built.
+bool units_can_be_read() {
+    try {
+        (void)casefile::unit_named("mm");
+        return true;
+    } catch (const std::runtime_error&) {
+        return false;
+    }
+}
+
 } // namespace
 
 int doctor() {
     std::string text = fmt::format("searle {} ({})\n\nEngines\n", program_version(), compiler());
-    text += fmt::format("  {:<14} {}: single gap, double gap, box; {} processors here\n", "native",
-                        program_version(), std::thread::hardware_concurrency());
+    text += fmt::format(
+        "  {:<14} {}: single gap, double gap, box, and the DIN bob as if endless; {} processors\n",
+        "native", program_version(), std::thread::hardware_concurrency());
     for (const OptionalTool& tool : optional_tools)
         text += line_for(tool);
-    text += "\nLibraries (built in, nothing missing)\n";
+    text += "\nLibraries (built in)\n";
     for (const auto& [name, version] : library_versions())
         text += fmt::format("  {:<14} {}\n", name, version);
+    const bool has_units = units_can_be_read();
+    text += fmt::format("\nData\n  {:<14} {}\n", "units",
+                        has_units ? "the database of UDUNITS-2 is there"
+                                  : "missing; to get it: apt-get install libudunits2-data");
     std::fputs(text.c_str(), stdout);
-    return ExitCode::done;
+    return has_units ? ExitCode::done : ExitCode::engine_missing;
 }
 
 } // namespace searle::app

@@ -183,7 +183,8 @@ int main(int argc, char** argv) {
         double asked = 0.0;
         double bar = 0.0;
         if (truth.size() == found.torque.size()) {
-            const std::vector<double> scale = solvers::radial::torque_scale(truth);
+            const std::vector<double> scale = solvers::radial::torque_scale(
+                truth, solvers::radial::steady_torque({&scene.gap, 1}, scene.law, scene.history));
             for (std::size_t k = 0; k < truth.size(); ++k) {
                 const double error = std::abs(std::abs(found.torque[k]) - std::abs(truth[k]));
                 if (error > 1e-12 * scale[k]) {

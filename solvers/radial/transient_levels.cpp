@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 namespace searle::solvers::radial {
@@ -137,14 +138,34 @@ double tangent_viscosity(const GapShape& shape, const laws::flow::AnyFlowLaw& la
 
 } // namespace
 
-std::vector<double> torque_scale(std::span<const double> torque) {
+std::vector<double> torque_scale(std::span<const double> torque, std::span<const double> steady) {
     std::vector<double> scale(torque.size());
     double largest = 0.0;
     for (std::size_t k = 0; k < torque.size(); ++k) {
         largest = std::max(largest, std::abs(torque[k]));
-        scale[k] = std::max(std::abs(torque[k]), 1e-3 * largest);
+        scale[k] = std::max({std::abs(torque[k]), std::abs(steady[k]), 1e-3 * largest});
     }
     return scale;
+}
+
+std::vector<double> steady_torque(std::span<const RotorGap> gaps, const laws::flow::AnyFlowLaw& law,
+                                  const rheometry::SpeedHistory& history) {
+    std::vector<double> torque(history.row_times.size(), 0.0);
+    for (std::size_t k = 0; k < torque.size(); ++k) {
+        const double speed = std::abs(history.speed_at(history.row_times[k]));
+        for (const RotorGap& gap : gaps) {
+            if (speed > 0.0) {
+                const double flux =
+                    gap.shape.planar
+                        ? laws::flow::stress(law, speed / gap.shape.width())
+                        : steady_gap_flow({gap.shape.inner, gap.shape.outer}, law, speed)
+                                  .torque_per_length /
+                              (2.0 * std::numbers::pi);
+                torque[k] += std::abs(gap.torque_per_flux) * flux;
+            }
+        }
+    }
+    return torque;
 }
 
 double thinnest_layer(const GapShape& shape, const laws::flow::AnyFlowLaw& law,
@@ -182,6 +203,7 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
     int elements = std::max(3, static_cast<int>(std::lround(base_elements * finer)));
     double tolerance = std::min(loosest_tolerance, base_tolerance * accuracy / 1e-3);
 
+    const std::vector<double> steady = steady_torque(gaps, law, history);
     TransientTorque result;
     std::vector<double> coarse;
     std::vector<double> earlier;
@@ -218,7 +240,7 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
                 result.error[k] = std::max(result.error[k], earlier_share * earlier[k]);
             }
             earlier = difference;
-            const std::vector<double> scale = torque_scale(result.torque);
+            const std::vector<double> scale = torque_scale(result.torque, steady);
             result.worst_relative_error = 0.0;
             for (std::size_t k = 0; k < scale.size(); ++k) {
                 // Rounding of thousands of steps: never claim less.

@@ -24,9 +24,16 @@ struct TransientTorque {
     long linear_solves{};
 };
 
-/// What an error is measured against at each row: the torque there, but at least a thousandth of
-/// the largest so far, since a torque that passes through zero has no relative error.
-[[nodiscard]] std::vector<double> torque_scale(std::span<const double> torque);
+/// What an error is measured against at each row: the torque there; the torque of the steady flow
+/// at that speed where inertia takes the actual one below it (it may pass through zero, and then
+/// has no relative error); and at least a thousandth of the largest torque so far.
+[[nodiscard]] std::vector<double> torque_scale(std::span<const double> torque,
+                                               std::span<const double> steady);
+
+/// Drive torque of the steady flow at the speed of each row, of all gaps.
+[[nodiscard]] std::vector<double> steady_torque(std::span<const RotorGap> gaps,
+                                                const laws::flow::AnyFlowLaw& law,
+                                                const rheometry::SpeedHistory& history);
 
 /// Thickness of the momentum layer at the first row after each kink or jump; the smallest of them,
 /// m.

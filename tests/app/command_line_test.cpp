@@ -84,6 +84,14 @@ TEST(CommandLine, doctor_names_engines_libraries_and_how_to_get_what_is_missing)
         << outcome.out;
 }
 
+TEST(CommandLine, doctor_notices_that_the_units_are_missing) {
+    const Outcome outcome = run({.arguments = {"-c", "UDUNITS2_XML_PATH=/nowhere " +
+                                                         std::string(SEARLE_PROGRAM) + " doctor"},
+                                 .program = "/bin/sh"});
+    EXPECT_EQ(outcome.exit_code, 4);
+    EXPECT_TRUE(holds(outcome.out, "apt-get install libudunits2-data")) << outcome.out;
+}
+
 TEST(CommandLine, output_that_cannot_be_written_is_a_failure) {
     // /dev/full answers every write with "no space left on device".
     const Outcome outcome =
