@@ -64,6 +64,8 @@ solvers::Scene scene_of(const CaseAsWritten& written) {
     solvers::Scene scene;
     scene.title = written.title;
     scene.instrument = geometry::instrument_of(written.geometry);
+    if (const auto* profile = std::get_if<geometry::Profile>(&written.geometry.instrument))
+        scene.profile = *profile;
     scene.fluid = written.fluid;
     scene.protocol = rheometry::protocol_of(written.protocol);
     scene.conversion = written.conversion;

@@ -6,6 +6,7 @@
 #include "app/verb_convert.hpp"
 #include "app/verb_doctor.hpp"
 #include "app/verb_fit.hpp"
+#include "app/verb_mesh.hpp"
 #include "app/verb_new.hpp"
 #include "app/verb_plan.hpp"
 #include "app/verb_report.hpp"
@@ -48,6 +49,7 @@ public:
         add_check();
         add_convert();
         add_fit();
+        add_mesh();
         add_report();
         add_new();
         add_schema();
@@ -68,7 +70,6 @@ public:
 private:
     /// Verbs whose work this version cannot do.
     static constexpr std::pair<const char*, const char*> later_verbs[] = {
-        {"mesh", "Write the mesh by itself"},
         {"compare", "Solve a case on several engines"},
         {"bench", "Run time against error"},
         {"stress", "Numerical stability sweeps"}};
@@ -207,6 +208,24 @@ private:
         add_paths(app, "-o,--output", options->outputs,
                   "Also write fit.html, fit.json or fit.csv, by the ending; may be repeated")
             ->allow_extra_args(false);
+    }
+    void add_mesh() {
+        auto options = std::make_shared<MeshOptions>();
+        CLI::App* app =
+            add("mesh", "Write the mesh by itself, and check it",
+                "cases/din-bob-water.toml -o bob.msh --set mesh.extent=sector", options, mesh);
+        add_path(app, "CASE", options->case_file, "Case file (TOML)")->required();
+        add_path(app, "-o,--output", options->output,
+                 "File for the mesh; its ending is the format (.msh .vtu .vtk .stl .xdmf .inp .su2 "
+                 "...), a path that ends in / gets OpenFOAM's constant/polyMesh")
+            ->required();
+        add_overrides(app, options->overrides);
+        app->add_option("--format", options->format, "msh41 (default) or msh22 for a .msh file");
+        add_path(app, "--preview", options->preview,
+                 "Picture of section and patches, .svg or .png");
+        add_path(app, "--drawing", options->drawing, "Dimensioned drawing, .svg or .png");
+        app->add_flag("--json", options->json, "Print the checks as JSON");
+        app->add_flag("--quiet", options->quiet, "Print nothing but faults");
     }
     void add_report() {
         auto options = std::make_shared<ReportOptions>();

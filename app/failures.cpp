@@ -5,12 +5,14 @@
 #include "app/result_folder.hpp"
 #include "app/solved_case.hpp"
 #include "app/usage_error.hpp"
+#include "geometry/mesh_error.hpp"
 #include "rheometry/tables/table_error.hpp"
 
 #include <fmt/format.h>
 
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <string_view>
@@ -35,6 +37,13 @@ int called(const std::function<int()>& verb) {
         return tell(ExitCode::wrong_usage, error.what());
     } catch (const UsageError& error) {
         return tell(ExitCode::wrong_usage, error.what());
+    } catch (const geometry::MeshError& error) {
+        return tell(ExitCode::wrong_usage, error.what());
+    } catch (const geometry::MeshToolMissing& error) {
+        return tell(ExitCode::engine_missing, error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
+        return tell(ExitCode::program_fault,
+                    fmt::format("{}: {}", error.path1().string(), error.code().message()));
     } catch (const OutputPlaceError& error) {
         return tell(ExitCode::wrong_usage, error.what());
     } catch (const OutputWriteError& error) {

@@ -33,7 +33,8 @@ struct OptionalTool {
 
 constexpr std::array optional_tools{
     OptionalTool{"OpenFOAM", "pimpleFoam", "openfoam",
-                 "this version of Searle does not drive it yet: engine = \"native\" solves all"}};
+                 "this version of Searle does not drive it yet: engine = \"native\" solves all"},
+    OptionalTool{"rsvg-convert", "rsvg-convert", "librsvg2-bin", "pictures of meshes as .png"}};
 
 std::optional<fs::path> in_path(std::string_view program) {
     const char* variable = std::getenv("PATH");

@@ -1,5 +1,7 @@
 #include "geometry/instrument_keys.hpp"
 
+#include "geometry/profile_outline.hpp"
+
 namespace searle::geometry {
 
 casefile::Keys<GeometryAsWritten> geometry_keys() {
@@ -14,6 +16,8 @@ casefile::Keys<GeometryAsWritten> geometry_keys() {
                      din_bob_keys());
     keys.alternative("box", "two parallel walls, one moving: the unrolled single gap", instrument,
                      box_keys());
+    keys.alternative("profile", "a rotor and a cup of any shape, as polylines; for meshes",
+                     instrument, profile_keys());
     return keys;
 }
 
@@ -22,6 +26,7 @@ Instrument instrument_of(const GeometryAsWritten& written) {
         Instrument operator()(const ConcentricCylinders& cylinders) const { return cylinders; }
         Instrument operator()(const DoubleGap& gap) const { return gap; }
         Instrument operator()(const Box& box) const { return box; }
+        Instrument operator()(const Profile& profile) const { return nominal_cylinders(profile); }
         Instrument operator()(const DinBobAsWritten& din) const {
             DinBob bob = din.bob;
             bob.cup_radius =

@@ -133,6 +133,11 @@ Plan make_plan(const Scene& scene) {
     Plan plan;
     plan.transient = needs_inertia(scene, forecast);
     Choice choice = choose(scene, forecast, plan.transient);
+    if (scene.profile) {
+        choice.can_be_solved = false;
+        choice.reason = "A rotor of any shape (geometry.type = \"profile\") can be meshed and "
+                        "converted, but nothing in this version solves the flow around it";
+    }
     plan.can_be_solved = choice.can_be_solved;
     plan.items =
         plan_items(scene, forecast, {.radial = choice.is_radial, .transient = plan.transient});

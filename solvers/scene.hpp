@@ -2,10 +2,12 @@
 
 #include "geometry/instrument.hpp"
 #include "geometry/mesh_settings.hpp"
+#include "geometry/profile.hpp"
 #include "laws/flow/flow_law.hpp"
 #include "rheometry/conversion/conversion.hpp"
 #include "rheometry/protocol.hpp"
 
+#include <optional>
 #include <string>
 
 namespace searle::solvers {
@@ -35,6 +37,9 @@ struct OutputSettings {
 struct Scene {
     std::string title;
     geometry::Instrument instrument;
+    /// A rotor and cup of any shape, which can be meshed, not solved; the instrument then holds the
+    /// cylinders that stress and rate refer to.
+    std::optional<geometry::Profile> profile;
     Fluid fluid;
     rheometry::Protocol protocol;
     rheometry::ConversionSettings conversion;

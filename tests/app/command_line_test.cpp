@@ -8,8 +8,8 @@ using searle::app::testing::searle;
 using searle::app::testing::TemporaryFolder;
 
 const std::vector<std::string> working_verbs{"run", "plan",   "check",  "convert", "report",
-                                             "new", "schema", "doctor", "fit"};
-const std::vector<std::string> later_verbs{"mesh", "compare", "bench", "stress"};
+                                             "new", "schema", "doctor", "fit",     "mesh"};
+const std::vector<std::string> later_verbs{"compare", "bench", "stress"};
 
 bool holds(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;

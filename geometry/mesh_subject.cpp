@@ -1,0 +1,166 @@
+#include "geometry/mesh_subject.hpp"
+
+#include "geometry/mesh_error.hpp"
+#include "geometry/outline_check.hpp"
+#include "geometry/profile_outline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace searle::geometry {
+namespace {
+
+constexpr OutlineEdge wall(const char* name) { return {name, PatchKind::wall, ""}; }
+
+PatchKind end_kind(const MeshSettings& settings) {
+    return settings.axial_cells.value_or(0) == 1 ||
+                   (settings.slice_height && settings.axial_cells.value_or(1) == 1)
+               ? PatchKind::flat
+               : PatchKind::end_face;
+}
+
+/// The rectangle between a rotor's and a cup's cylinder, cut off at both ends.
+Outline gap_outline(double inner, double outer, double height, const char* inner_patch,
+                    const char* outer_patch, PatchKind ends) {
+    return {{{inner, 0.0}, {outer, 0.0}, {outer, height}, {inner, height}},
+            {{"slice_bottom", ends, ""},
+             wall(outer_patch),
+             {"slice_top", ends, ""},
+             wall(inner_patch)}};
+}
+
+double checked_height(double instrument_height, const MeshSettings& settings) {
+    const double height = settings.slice_height.value_or(instrument_height);
+    if (height > instrument_height * (1.0 + 1e-12))
+        throw MeshError(fmt::format("mesh.slice_height = {:.6g} mm is more than the {:.6g} mm of "
+                                    "the instrument's cylinder",
+                                    height * 1e3, instrument_height * 1e3));
+    return height;
+}
+
+struct Draw {
+    const MeshSettings& settings;
+
+    MeshDomain operator()(const ConcentricCylinders& it) const {
+        const double height = checked_height(it.height, settings);
+        return {.outlines = {gap_outline(it.bob_radius, it.cup_radius, height, "bob", "cup",
+                                         end_kind(settings))},
+                .gap = it.gap(),
+                .slice = {.height = height, .instrument_height = it.height}};
+    }
+    MeshDomain operator()(const Box& it) const {
+        const double height = checked_height(it.width, settings);
+        return {.outlines = {gap_outline(0.0, it.gap, height, "bob", "cup", end_kind(settings))},
+                .revolved = false,
+                .length = it.length,
+                .gap = it.gap,
+                .slice = {.height = height, .instrument_height = it.width}};
+    }
+    MeshDomain operator()(const DoubleGap& it) const {
+        const auto& [post, inside, outside, cup] = it.radii;
+        const double height = checked_height(it.height, settings);
+        MeshDomain domain{.gap = std::min(it.inner_gap(), it.outer_gap()),
+                          .slice = {.height = height, .instrument_height = it.height}};
+        if (!settings.floor_clearance) {
+            const PatchKind ends = end_kind(settings);
+            domain.outlines = {gap_outline(post, inside, height, "post", "bob", ends),
+                               gap_outline(outside, cup, height, "bob", "cup", ends)};
+            return domain;
+        }
+        if (settings.slice_height)
+            throw MeshError(
+                "mesh.slice_height and mesh.floor_clearance exclude each other: a slice "
+                "does not reach the floor");
+        const double floor = -*settings.floor_clearance;
+        const OutlineEdge surface{"free_surface", PatchKind::free_surface, ""};
+        domain.outlines = {{{{post, floor},
+                             {cup, floor},
+                             {cup, height},
+                             {outside, height},
+                             {outside, 0.0},
+                             {inside, 0.0},
+                             {inside, height},
+                             {post, height}},
+                            {wall("cup_floor"), wall("cup"), surface, wall("bob"), wall("bob_edge"),
+                             wall("bob"), surface, wall("post")}}};
+        return domain;
+    }
+    MeshDomain operator()(const DinBob& it) const {
+        if (settings.slice_height) {
+            const double height = checked_height(it.height(), settings);
+            return {.outlines = {gap_outline(it.bob_radius, it.cup_radius, height, "bob", "cup",
+                                             end_kind(settings))},
+                    .gap = it.gap(),
+                    .slice = {.height = height, .instrument_height = it.height()}};
+        }
+        if (!(it.shaft_ratio > 0.0 && it.shaft_ratio < 1.0))
+            throw MeshError(
+                fmt::format("the shaft, geometry.shaft_ratio = {:.6g}, is not thinner than "
+                            "the bob",
+                            it.shaft_ratio));
+        if (!(it.cone_angle > 0.0 && it.cone_angle <= std::numbers::pi))
+            throw MeshError(
+                fmt::format("geometry.cone_angle = {:.6g} deg is not between 0 and 180 deg",
+                            it.cone_angle * 180.0 / std::numbers::pi));
+        if (it.top_ratio < 0.0)
+            throw MeshError(
+                fmt::format("the liquid's level, geometry.top_ratio = {:.6g}, is below the "
+                            "bob's top",
+                            it.top_ratio));
+        if (!(it.tip_clearance() > 0.0))
+            throw MeshError(fmt::format("the cone's tip reaches the floor (cup_floor): "
+                                        "geometry.bottom_ratio = {:.6g} is not above {:.6g}",
+                                        it.bottom_ratio, it.cone_height() / it.bob_radius));
+        const double R = it.bob_radius;
+        const double top = it.height() + it.top_ratio * R;
+        const double shaft = it.shaft_ratio * R;
+        Outline outline;
+        const auto edge = [&outline](SectionPoint from, const char* name, PatchKind kind) {
+            outline.points.push_back(from);
+            outline.edges.push_back({name, kind, ""});
+        };
+        edge({0.0, -it.bottom_ratio * R}, "cup_floor", PatchKind::wall);
+        edge({it.cup_radius, -it.bottom_ratio * R}, "cup", PatchKind::wall);
+        edge({it.cup_radius, top}, "free_surface", PatchKind::free_surface);
+        if (it.top_ratio > 0.0) {
+            edge({shaft, top}, "shaft", PatchKind::wall);
+            edge({shaft, it.height()}, "bob_top", PatchKind::wall);
+        }
+        edge({R, it.height()}, "bob", PatchKind::wall);
+        edge({R, 0.0}, "bob_cone", PatchKind::wall);
+        edge({0.0, -it.cone_height()}, "axis", PatchKind::axis);
+        return {.outlines = {std::move(outline)},
+                .gap = it.gap(),
+                .slice = {.height = it.height(), .instrument_height = it.height()}};
+    }
+    MeshDomain operator()(const Profile& it) const {
+        if (settings.slice_height)
+            throw MeshError("mesh.slice_height is for instruments with a cylinder; a profile is "
+                            "meshed as it is drawn");
+        Outline outline = outline_of(it);
+        MeshDomain domain{.slice = {.height = 1.0, .instrument_height = 1.0}};
+        domain.gap = check_outline(outline).clearance;
+        domain.outlines = {std::move(outline)};
+        return domain;
+    }
+};
+
+} // namespace
+
+MeshSubject subject_of(const Instrument& instrument) {
+    return std::visit([](const auto& it) -> MeshSubject { return it; }, instrument);
+}
+
+MeshDomain domain_of(const MeshSubject& subject, const MeshSettings& settings) {
+    MeshDomain domain = std::visit(Draw{settings}, subject);
+    if (settings.floor_clearance && !std::holds_alternative<DoubleGap>(subject))
+        throw MeshError("mesh.floor_clearance is for the double gap; other instruments say where "
+                        "their floor is");
+    for (const Outline& outline : domain.outlines)
+        (void)check_outline(outline);
+    return domain;
+}
+
+} // namespace searle::geometry

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "geometry/instrument.hpp"
+#include "geometry/mesh_settings.hpp"
+#include "geometry/outline.hpp"
+#include "geometry/profile.hpp"
+#include "geometry/slice.hpp"
+
+#include <variant>
+#include <vector>
+
+namespace searle::geometry {
+
+/// What can be meshed.
+using MeshSubject = std::variant<ConcentricCylinders, DoubleGap, DinBob, Box, Profile>;
+
+[[nodiscard]] MeshSubject subject_of(const Instrument& instrument);
+
+/// The fluid that a mesh fills, before it is cut into cells.
+struct MeshDomain {
+    std::vector<Outline> outlines{}; ///< of the section; several where the gaps are not connected
+    bool revolved = true;            ///< false: drawn out along the flow (box)
+    double length{};                 ///< of a box along the flow, m
+    double gap{};                    ///< narrowest distance between rotor and cup, m
+    Slice slice;                     ///< angle 2 pi; the extent is not yet in it
+};
+
+/// The section that the settings ask for. Throws MeshError where they do not fit the instrument.
+[[nodiscard]] MeshDomain domain_of(const MeshSubject& subject, const MeshSettings& settings);
+
+} // namespace searle::geometry
