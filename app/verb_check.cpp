@@ -14,8 +14,14 @@ std::string summary_of(const Case& one) {
     const solvers::Scene& scene = one.scene;
     const std::string protocol =
         protocol_phrase(scene.protocol, geometry::rotates(scene.instrument));
-    return fmt::format("{}, {}, {}", geometry::name_of(scene.instrument),
-                       laws::flow::name_of(scene.fluid.law), protocol);
+    std::string geometry(geometry::name_of(scene.instrument));
+    if (const auto* gap = std::get_if<geometry::ConcentricCylinders>(&scene.instrument);
+        gap && scene.profile) {
+        geometry =
+            fmt::format("profile (for conversions a single gap of {:g}/{:g} mm, {:g} mm high)",
+                        1e3 * gap->bob_radius, 1e3 * gap->cup_radius, 1e3 * gap->height);
+    }
+    return fmt::format("{}, {}, {}", geometry, laws::flow::name_of(scene.fluid.law), protocol);
 }
 
 } // namespace

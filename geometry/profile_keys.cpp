@@ -65,9 +65,15 @@ casefile::Keys<Profile> profile_keys() {
     casefile::Keys<Profile> keys;
     keys.tables("rotor", &Profile::rotor, point_keys())
         .required()
+        .example(R"([{ r = "0 mm", z = "-3 mm", patch = "bob_cone" }, )"
+                 R"({ r = "10 mm", z = "0 mm", patch = "bob" }, )"
+                 R"({ r = "10 mm", z = "20 mm", patch = "bob_top" }, )"
+                 R"({ r = "3 mm", z = "22 mm", patch = "shaft" }, { r = "3 mm", z = "30 mm" }])")
         .says("Corners of the rotor, from its lowest point to the liquid's surface.");
     keys.tables("cup", &Profile::cup, point_keys())
         .required()
+        .example(R"([{ r = "0 mm", z = "-8 mm", patch = "cup_floor" }, )"
+                 R"({ r = "12 mm", z = "-8 mm" }, { r = "12 mm", z = "30 mm" }])")
         .says("Corners of the cup, from its lowest point to the liquid's surface.");
     keys.check([](const Profile& profile, casefile::Findings& findings) {
         check_names(profile, findings);

@@ -24,6 +24,10 @@ constexpr int order = 4;
 constexpr double steepening = 4.0;
 constexpr int most_levels = 9;
 constexpr int most_elements = 20000;
+/// Element solves (tens of nanoseconds to a tenth of a microsecond each) that a further level may
+/// be expected to cost; a level takes four to eight times those of the one before.
+constexpr double most_element_solves = 2e8;
+constexpr double level_growth = 6.0;
 /// Share of the level before's difference that counts: two levels can agree by accident. Where the
 /// level converges at all it has fallen by more than this.
 constexpr double earlier_share = 1.0 / 6.0;
@@ -253,7 +257,9 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
                 }
             }
             result.reached = level > 1 && result.worst_relative_error <= accuracy;
-            if (result.reached || elements > most_elements / 2) {
+            const double next_cost =
+                level_growth * static_cast<double>(found.linear_solves) * elements;
+            if (result.reached || elements > most_elements / 2 || next_cost > most_element_solves) {
                 break;
             }
         } else {

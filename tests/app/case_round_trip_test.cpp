@@ -130,11 +130,14 @@ TEST(case_round_trip, every_default_is_written_out) {
 }
 
 TEST(starting_case, passes_the_check_for_every_geometry) {
-    ASSERT_EQ(geometry_names().size(), 4U);
+    ASSERT_EQ(geometry_names().size(), 5U);
     for (const std::string& geometry : geometry_names()) {
         const std::string text = starting_case(geometry);
         const Case one = read_text(text);
-        EXPECT_EQ(geometry::name_of(one.scene.instrument), geometry);
+        // A profile is meshed only; it is no instrument that the conversions know.
+        if (geometry != "profile") {
+            EXPECT_EQ(geometry::name_of(one.scene.instrument), geometry);
+        }
         expect_round_trip(text);
         EXPECT_NE(text.find("# single-gap | double-gap | din-bob | box"), std::string::npos);
     }
