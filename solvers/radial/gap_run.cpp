@@ -15,6 +15,7 @@ namespace {
 using Piece = rheometry::SpeedHistory::Piece;
 
 constexpr long most_steps = 20'000'000;
+constexpr long steps_between_calls = 32;
 /// Of the one small step after a jump, whose momentum is a tiny share of what the next row sees.
 constexpr double jump_tolerance = 1e-3;
 
@@ -43,7 +44,9 @@ public:
         typical_flux_ = fastest > 0.0 ? std::abs(steady_flux(fastest)) : 1.0;
     }
 
-    GapRun operator()(const std::function<void(std::size_t, double)>& at_row) {
+    GapRun operator()(const std::function<void(std::size_t, double)>& at_row,
+                      const std::function<void()>& between_steps) {
+        between_steps_ = between_steps;
         if (history_.initial_speed != 0.0) {
             settle(history_.initial_speed);
         }
@@ -193,6 +196,9 @@ private:
             if (run_.steps + run_.rejected > most_steps || step < 1e-15 * left) {
                 return false;
             }
+            if (between_steps_ && (run_.steps + run_.rejected) % steps_between_calls == 0) {
+                between_steps_();
+            }
             const double error = attempt(piece, step);
             const double factor = std::isfinite(error)
                                       ? 0.9 * std::pow(std::max(error, 1e-12) / tolerance_, -0.25)
@@ -295,6 +301,7 @@ private:
     std::vector<double> grid_;
     GapSystem<Law> system_;
     GapRun run_;
+    std::function<void()> between_steps_;
 
     double time_ = 0.0;
     double step_ = 0.0;
@@ -323,9 +330,10 @@ double typical_stress(const GapShape& shape, const laws::flow::AnyFlowLaw& law,
 
 GapRun run_gap(const GapShape& shape, const laws::flow::AnyFlowLaw& law,
                const rheometry::SpeedHistory& history, const GapResolution& resolution,
-               const std::function<void(std::size_t, double)>& at_row) {
+               const std::function<void(std::size_t, double)>& at_row,
+               const std::function<void()>& between_steps) {
     const auto run = [&](const auto& chosen) {
-        return Run(shape, chosen, law, history, resolution)(at_row);
+        return Run(shape, chosen, law, history, resolution)(at_row, between_steps);
     };
     if (const auto* carreau = std::get_if<laws::flow::CarreauYasuda>(&law)) {
         return run(TabulatedLaw(*carreau, typical_stress(shape, law, history)));

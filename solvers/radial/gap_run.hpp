@@ -38,10 +38,12 @@ struct GapRun {
 /// small step of implicit Euler; else steps are Kennedy & Carpenter's ESDIRK4(3)6L[2]SA with the
 /// embedded error mapped to a change of flux. Starts from rest, or from steady flow at
 /// history.initial_speed.
+/// @param between_steps  called every few dozen steps; may throw to stop the run
 /// @param at_row  called at each row with its index and the flux there; may throw to stop the run
 [[nodiscard]] GapRun run_gap(const GapShape& shape, const laws::flow::AnyFlowLaw& law,
                              const rheometry::SpeedHistory& history,
                              const GapResolution& resolution,
-                             const std::function<void(std::size_t, double)>& at_row);
+                             const std::function<void(std::size_t, double)>& at_row,
+                             const std::function<void()>& between_steps = {});
 
 } // namespace searle::solvers::radial

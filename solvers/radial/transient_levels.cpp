@@ -54,19 +54,23 @@ Level run_level(std::span<const RotorGap> gaps, const laws::flow::AnyFlowLaw& la
     std::size_t complete = rows;
     for (std::size_t g = 0; g < gaps.size(); ++g) {
         std::vector<double> flux;
-        std::size_t done = 0;
         try {
-            GapRun run = run_gap(gaps[g].shape, law, history,
-                                 {.elements = elements,
-                                  .layer = layers[g],
-                                  .steps_per_row = steps_per_row,
-                                  .step_tolerance = tolerance},
-                                 [&](std::size_t row, double wall_flux) {
-                                     flux.push_back(wall_flux);
-                                     at((static_cast<double>(g) +
-                                         static_cast<double>(row + 1) / static_cast<double>(rows)) /
-                                        static_cast<double>(gaps.size()));
-                                 });
+            const auto share = [&](std::size_t row_count) {
+                return (static_cast<double>(g) +
+                        static_cast<double>(row_count) / static_cast<double>(rows)) /
+                       static_cast<double>(gaps.size());
+            };
+            const GapRun run = run_gap(
+                gaps[g].shape, law, history,
+                {.elements = elements,
+                 .layer = layers[g],
+                 .steps_per_row = steps_per_row,
+                 .step_tolerance = tolerance},
+                [&](std::size_t row, double wall_flux) {
+                    flux.push_back(wall_flux);
+                    at(share(row + 1));
+                },
+                [&] { at(share(flux.size())); });
             level.finished = level.finished && run.finished;
             level.momentum_defect = std::max(level.momentum_defect, run.momentum_defect);
             level.steps += run.steps;
@@ -74,9 +78,8 @@ Level run_level(std::span<const RotorGap> gaps, const laws::flow::AnyFlowLaw& la
         } catch (const Interrupted&) {
             level.interrupted = true;
         }
-        done = flux.size();
-        complete = std::min(complete, done);
-        for (std::size_t row = 0; row < done; ++row) {
+        complete = std::min(complete, flux.size());
+        for (std::size_t row = 0; row < flux.size(); ++row) {
             level.torque[row] += gaps[g].torque_per_flux * flux[row];
         }
         if (level.interrupted || !level.finished) {
