@@ -17,23 +17,25 @@ using boost::math::cyl_neumann_prime;
 
 } // namespace
 
-double annulus_lag(double inner, double outer, double kinematic_viscosity) {
-    // v = beta (t f + g), f = A r + B/r with f(a) = a, f(b) = 0; nu (g'' + g'/r - g/r^2) = f. In
-    // long double, for the narrow gap cancels.
+double annulus_lag(double inner, double outer, double kinematic_viscosity, bool outer_wall_moves) {
+    // v = beta (t f + g), f = A r + B/r with f = r at the moving wall and 0 at the other;
+    // nu (g'' + g'/r - g/r^2) = f, g = 0 at both. In long double, for the narrow gap cancels.
     using Real = long double;
     const Real a = inner;
     const Real b = outer;
-    const Real B = a * a * b * b / ((b - a) * (b + a));
-    const Real A = -B / (b * b);
+    const Real squares = (b - a) * (b + a);
+    const Real B = (outer_wall_moves ? -1 : 1) * a * a * b * b / squares;
+    const Real A = outer_wall_moves ? b * b / squares : -a * a / squares;
     const auto particular = [&](Real r) { return A * r * r * r / 8 + B * r * std::log(r / a) / 2; };
     // C r + D / r cancels the particular solution at both walls.
     const Real pa = particular(a);
     const Real pb = particular(b);
-    const Real C = (pa * a - pb * b) / ((b - a) * (b + a));
+    const Real C = (pa * a - pb * b) / squares;
     const Real D = -(pa + C * a) * a;
-    // The wall's stress goes with r d(v/r)/dr = v' - v/r, and g(a) = 0.
-    const Real slope = 3 * A * a * a / 8 + B / 2 + C - D / (a * a);
-    return static_cast<double>(slope / (-2 * B / (a * a)) / kinematic_viscosity);
+    // The stress goes with r d(v/r)/dr = v' - v/r, and g = 0 at the walls.
+    const Real r = outer_wall_moves ? b : a;
+    const Real slope = 3 * A * r * r / 8 + B * (std::log(r / a) + 1) / 2 + C - D / (r * r);
+    return static_cast<double>(slope / (-2 * B / (r * r)) / kinematic_viscosity);
 }
 
 NewtonianStartUp NewtonianStartUp::annulus(double inner, double outer, double kinematic_viscosity,

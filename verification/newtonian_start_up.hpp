@@ -32,7 +32,9 @@ private:
     std::vector<double> share_; ///< s_k, s
 };
 
-/// T of the annulus by the closed form of the linear ramp (docs/radial.md, eq. 7), s.
-[[nodiscard]] double annulus_lag(double inner, double outer, double kinematic_viscosity);
+/// T by the closed form of the linear ramp, s, > 0 (docs/radial.md, eq. 7), at the wall that turns:
+/// the inner one, or the outer one with the inner at rest. Tends to d^2 / (3 nu) for a narrow gap.
+[[nodiscard]] double annulus_lag(double inner, double outer, double kinematic_viscosity,
+                                 bool outer_wall_moves = false);
 
 } // namespace searle::verification

@@ -137,7 +137,7 @@ Keys<CarreauYasuda> carreau_yasuda_keys() {
 Keys<Cross> cross_keys() {
     Keys<Cross> keys;
     add_plateau_keys(keys);
-    flow_index_key(keys).above("0").below("1").says(
+    flow_index_key(keys).at_least("0.01").below("1").says(
         "n: the viscosity falls as rate^(n - 1); 1 - n is Cross's exponent.");
     return keys;
 }

@@ -100,7 +100,11 @@ SteadyGapFlow solve(const AnnularGap& gap, const Law& law, double omega) {
     flow.yield_radius = flow.partly_sheared
                             ? gap.inner_radius * std::sqrt(1.0 + law.excess_stress(inner) / yield)
                             : gap.outer_radius;
-    flow.relative_error = 1e-11;
+    // In a narrow gap the interval in ln(rate) is the difference of two near numbers.
+    const double interval =
+        outer > 0.0 ? std::min(negligible_range, log_rate - std::log(outer)) : negligible_range;
+    flow.relative_error =
+        std::max(1e-11, 4e-15 * std::max(1.0, std::abs(log_rate)) / std::max(interval, 1e-15));
     return flow;
 }
 

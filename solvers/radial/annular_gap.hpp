@@ -30,7 +30,8 @@ struct SteadyGapFlow {
 
 /// Solves omega = 1/2 integral from max(yield, tau/delta^2) to tau of rate(q)/q dq for the stress
 /// tau at the inner wall (docs/radial.md, eq. 2). No mesh, no regularisation: quadrature
-/// in ln(rate), safeguarded Newton. Relative error of the torque <= 1e-10.
+/// in ln(rate), safeguarded Newton. Relative error of the torque <= 1e-10 for radius ratios
+/// from 1.001 on; `relative_error` says what it is, also in narrower gaps.
 /// @param omega  difference of the two speeds, rad/s, > 0
 [[nodiscard]] SteadyGapFlow steady_gap_flow(const AnnularGap& gap,
                                             const laws::flow::AnyFlowLaw& law, double omega);

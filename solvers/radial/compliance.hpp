@@ -58,7 +58,5 @@ template <class Law>
 inline constexpr bool smooth_through_rest = false;
 template <>
 inline constexpr bool smooth_through_rest<laws::flow::Newtonian> = true;
-template <>
-inline constexpr bool smooth_through_rest<TabulatedLaw<laws::flow::CarreauYasuda>> = true;
 
 } // namespace searle::solvers::radial

@@ -48,7 +48,9 @@ public:
                       const std::function<void()>& between_steps) {
         between_steps_ = between_steps;
         if (history_.initial_speed != 0.0) {
-            settle(history_.initial_speed);
+            if (!settle(history_.initial_speed)) {
+                return std::move(run_);
+            }
         }
         initial_momentum_ = system_.momentum(velocity_);
         std::size_t row = 0;
@@ -120,21 +122,26 @@ private:
     }
 
     /// The discrete steady flow: implicit Euler with steps far longer than any time of the gap.
-    void settle(double speed) {
+    [[nodiscard]] bool settle(double speed) {
         guess_steady(speed);
         const double viscosity =
             std::abs(flux_.node.front()) * shape_.width() /
             (std::abs(speed) * (shape_.planar ? 1.0 : std::pow(shape_.inner, 3)));
         const double diffusion = shape_.density * shape_.width() * shape_.width() / viscosity;
+        bool converged = false;
         for (int k = 0; k < 12; ++k) {
             start_ = velocity_;
-            (void)system_.solve(start_, 1e3 * diffusion, walls(speed), 1e-12, typical_flux_, flux_);
+            converged = system_
+                            .solve(start_, 1e3 * diffusion, walls(speed),
+                                   std::clamp(1e-3 * tolerance_, 1e-12, 1e-8), typical_flux_, flux_)
+                            .converged;
             system_.acceleration(flux_, slope_[0]);
             for (std::size_t e = 0; e < velocity_.size(); ++e) {
                 velocity_[e][0] = start_[e][0] + 1e3 * diffusion * slope_[0][e][0];
                 velocity_[e][1] = start_[e][1] + 1e3 * diffusion * slope_[0][e][1];
             }
         }
+        return converged;
     }
 
     /// Time in which a jump of the wall's speed brings the element at the wall up to speed. What

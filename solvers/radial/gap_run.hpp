@@ -19,14 +19,12 @@ struct GapResolution {
 
 /// A gap's transient at one resolution.
 struct GapRun {
-    /// Flux F at the moving wall at each row (annulus: r^2 tau, N; planar: tau, Pa), with the sign
-    /// of tau = +law for dw/dx > 0; fewer than asked when `finished` is false.
-    std::vector<double> wall_flux;
     bool finished{}; ///< false: a step could not be taken; the rows before it are good
     long steps{};
     long rejected{};
     long linear_solves{};
-    /// | change of momentum - integral of the flux difference | / integral of |flux| over time.
+    /// | change of momentum - integral of the flux difference | / integral of |flux| over time. The
+    /// scheme conserves momentum identically, so this checks the bookkeeping, not the flow.
     double momentum_defect{};
 };
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace searle::solvers::radial {
 namespace {
@@ -34,6 +35,20 @@ rheometry::TorqueRow steady_row(const Scene& scene, double factor, double time, 
             .rotor_wall_rate = flow.rotor_wall_rate};
 }
 
+double yield_torque_of(const Scene& scene) {
+    return yield_torque(rotor_gaps(scene.instrument, scene.fluid.density), scene.fluid.law);
+}
+
+void note_rest(int rows, RadialReport& report) {
+    if (rows > 0) {
+        report.notes.push_back(
+            "At rest the yield stress holds the fluid, and its flow law leaves the "
+            "torque open between plus and minus the yield torque: at " +
+            std::to_string(rows) + (rows == 1 ? " row" : " rows") +
+            " without speed the error bar covers that range.");
+    }
+}
+
 /// Rows without inertia, at given times and speeds.
 template <class SpeedAt>
 RadialReport without_inertia(const Scene& scene, const Plan& plan, double factor, std::size_t rows,
@@ -41,15 +56,32 @@ RadialReport without_inertia(const Scene& scene, const Plan& plan, double factor
                              const ProgressSink& progress) {
     RadialReport report;
     report.history.rows.reserve(rows);
+    const double yield = factor * yield_torque_of(scene);
+    double last_sign = 0.0;
+    double last_torque = 0.0;
+    int rows_at_rest = 0;
     try {
         for (std::size_t k = 0; k < rows; ++k) {
             rheometry::TorqueRow row = steady_row(scene, factor, plan.rows[k].time, speed_at(k));
-            if (inertia_skipped) {
-                row.torque_error += inertia_margin * plan.rows[k].lag_share * std::abs(row.torque);
+            const bool at_rest = row.speed == 0.0 && yield > 0.0;
+            if (at_rest) {
+                // The torque with which the flow stopped; the law leaves it open between the yield
+                // torques.
+                row.torque = last_sign * yield;
+                row.torque_error = std::abs(row.torque) + yield;
+                ++rows_at_rest;
+            } else if (inertia_skipped) {
+                row.torque_error += inertia_margin * plan.rows[k].lag_share *
+                                    std::max(std::abs(row.torque), std::abs(last_torque));
             }
-            if (row.torque != 0.0) {
+            const double scale = std::max(std::abs(row.torque), 1e-3 * std::abs(last_torque));
+            if (!at_rest && scale > 0.0) {
                 report.worst_relative_error =
-                    std::max(report.worst_relative_error, row.torque_error / std::abs(row.torque));
+                    std::max(report.worst_relative_error, row.torque_error / scale);
+            }
+            if (row.speed != 0.0) {
+                last_sign = std::copysign(1.0, row.speed);
+                last_torque = row.torque;
             }
             report.history.rows.push_back(row);
             if (progress && k % rows_between_reports == 0) {
@@ -60,6 +92,7 @@ RadialReport without_inertia(const Scene& scene, const Plan& plan, double factor
         report.interrupted = true;
     }
     report.reached = report.worst_relative_error <= scene.solver.accuracy;
+    note_rest(rows_at_rest, report);
     return report;
 }
 
@@ -71,6 +104,7 @@ RadialReport with_inertia(const Scene& scene, double factor, const rheometry::Sp
     RadialReport report;
     report.transient = true;
     report.reached = solved.reached;
+    note_rest(solved.rows_at_rest, report);
     report.interrupted = solved.interrupted;
     report.worst_relative_error = solved.worst_relative_error;
     report.worst_torque_imbalance = solved.momentum_defect;

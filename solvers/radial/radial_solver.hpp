@@ -18,7 +18,7 @@ struct RadialReport {
     bool transient{};              ///< false: inertia was left out
     bool reached = true;           ///< every row meets the asked accuracy by its own estimate
     double worst_relative_error{}; ///< largest estimate over the rows, relative to the stress scale
-    double worst_torque_imbalance{}; ///< |M_bob - M_cup - dL/dt| / max |M|, transient only
+    double worst_torque_imbalance{}; ///< GapRun::momentum_defect of the finest level
     int refinements{};               ///< number of grid levels solved
     int elements{};                  ///< of the finest level, per gap
     long time_steps{};               ///< of the finest level

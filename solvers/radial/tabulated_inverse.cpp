@@ -2,6 +2,7 @@
 
 #include <boost/math/interpolators/quintic_hermite.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -10,8 +11,10 @@ namespace {
 
 constexpr double smallest = 1e-10;
 constexpr double largest = 1e6;
-/// Interval in ln(RATE) for a law of sharpness 1: the error is h^6 / 46080 times the sixth derivative.
+/// Interval in ln(RATE) for a law of sharpness 1: the error is h^6 / 46080 times the sixth
+/// derivative.
 constexpr double widest_interval = 0.04;
+constexpr double most_intervals = 40'000.0;
 
 } // namespace
 
@@ -23,9 +26,14 @@ template <class Law>
 InverseTable::InverseTable(const Law& law, double typical_stress)
     : low_(std::log(typical_stress * smallest)), high_(std::log(typical_stress * largest)) {
     // Where the law is flattest an interval of stress is the widest one of rate: 1 / flow_index.
-    const auto count = static_cast<std::size_t>((high_ - low_) / widest_interval *
-                                                law.sharpness() / law.flow_index) +
-                       2;
+    const double wished =
+        (high_ - low_) / widest_interval * law.sharpness() / std::min(1.0, double{law.flow_index});
+    if (wished > most_intervals) {
+        // Such a table would cost more than it saves: every rate is found by iteration.
+        high_ = low_;
+        return;
+    }
+    const auto count = static_cast<std::size_t>(wished) + 2;
     const double step = (high_ - low_) / static_cast<double>(count - 1);
     std::vector<double> value(count);
     std::vector<double> slope(count);

@@ -109,13 +109,16 @@ std::vector<bool> follows_smoothly(const rheometry::SpeedHistory& history) {
     return smooth;
 }
 
-/// Differences of two levels, each row's widened by its neighbours' on this side of a jump.
+/// Differences of two levels relative to each row's scale, widened by the neighbours' on this side
+/// of a jump: two levels can agree at a row by accident.
 std::vector<double> differences(std::span<const double> fine, std::span<const double> coarse,
-                                const std::vector<bool>& smooth) {
+                                std::span<const double> scale, const std::vector<bool>& smooth) {
     const std::size_t rows = std::min(fine.size(), coarse.size());
-    std::vector<double> plain(rows);
+    std::vector<double> plain(rows, 0.0);
     for (std::size_t k = 0; k < rows; ++k) {
-        plain[k] = std::abs(fine[k] - coarse[k]);
+        if (scale[k] > 0.0) {
+            plain[k] = std::abs(fine[k] - coarse[k]) / scale[k];
+        }
     }
     std::vector<double> widened = plain;
     for (std::size_t k = 1; k < rows; ++k) {
@@ -125,6 +128,18 @@ std::vector<double> differences(std::span<const double> fine, std::span<const do
         }
     }
     return widened;
+}
+
+/// True for each row at which the drive stands still and the torque is within what a fluid at rest
+/// carries. A rigid-plastic law leaves that torque open between the yield torques.
+std::vector<bool> rows_at_rest(std::span<const double> torque, double yield,
+                               const rheometry::SpeedHistory& history) {
+    std::vector<bool> rest(torque.size(), false);
+    for (std::size_t k = 0; k < torque.size(); ++k) {
+        rest[k] = yield > 0.0 && history.speed_at(history.row_times[k]) == 0.0 &&
+                  std::abs(torque[k]) <= 1.01 * yield;
+    }
+    return rest;
 }
 
 /// The error bar while there is no second level to compare with.
@@ -177,10 +192,21 @@ std::vector<double> steady_torque(std::span<const RotorGap> gaps, const laws::fl
     return torque;
 }
 
+double yield_torque(std::span<const RotorGap> gaps, const laws::flow::AnyFlowLaw& law) {
+    double torque = 0.0;
+    for (const RotorGap& gap : gaps) {
+        // The inner wall yields first, whichever wall moves: F = tau0 inner^2 there.
+        const double area = gap.shape.planar ? 1.0 : gap.shape.inner * gap.shape.inner;
+        torque += std::abs(gap.torque_per_flux) * laws::flow::yield_stress(law) * area;
+    }
+    return torque;
+}
+
 double thinnest_layer(const GapShape& shape, const laws::flow::AnyFlowLaw& law,
                       const rheometry::SpeedHistory& history) {
     double thinnest = shape.width();
     auto row = history.row_times.begin();
+    double before = history.initial_speed;
     for (const auto& piece : history.pieces) {
         row = std::upper_bound(row, history.row_times.end(), piece.start_time);
         if (row == history.row_times.end()) {
@@ -188,7 +214,8 @@ double thinnest_layer(const GapShape& shape, const laws::flow::AnyFlowLaw& law,
         }
         const double speed =
             std::max({std::abs(piece.start_speed), std::abs(history.speed_at(*row)),
-                      1e-6 * std::abs(piece.end_speed)});
+                      std::abs(piece.start_speed - before), 1e-6 * std::abs(piece.end_speed)});
+        before = piece.end_speed;
         if (speed > 0.0) {
             const double diffusivity = tangent_viscosity(shape, law, speed) / shape.density;
             thinnest = std::min(thinnest, std::sqrt(diffusivity * (*row - piece.start_time)));
@@ -213,6 +240,7 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
     double tolerance = std::min(loosest_tolerance, base_tolerance * accuracy / 1e-3);
 
     const std::vector<double> steady = steady_torque(gaps, law, history);
+    const double yield = yield_torque(gaps, law);
     TransientTorque result;
     std::vector<double> coarse;
     std::vector<double> earlier;
@@ -243,22 +271,26 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
         result.elements = elements;
         result.steps = found.steps;
         if (level > 0) {
-            const std::vector<double> difference = differences(result.torque, coarse, smooth);
-            result.error = difference;
-            for (std::size_t k = 0; k < earlier.size(); ++k) {
-                result.error[k] = std::max(result.error[k], earlier_share * earlier[k]);
-            }
-            earlier = difference;
             const std::vector<double> scale = torque_scale(result.torque, steady);
+            std::vector<double> difference = differences(result.torque, coarse, scale, smooth);
+            const std::vector<bool> rest = rows_at_rest(result.torque, yield, history);
+            // Once the step tolerance has reached its floor two levels share their time error.
+            const double least_bar =
+                tolerance > smallest_tolerance ? 1e-12 : 5.0 * smallest_tolerance;
             result.worst_relative_error = 0.0;
+            result.rows_at_rest = 0;
             for (std::size_t k = 0; k < scale.size(); ++k) {
-                // Rounding of thousands of steps: never claim less.
-                result.error[k] = std::max(safety * result.error[k], 1e-12 * scale[k]);
-                if (scale[k] > 0.0) {
-                    result.worst_relative_error =
-                        std::max(result.worst_relative_error, result.error[k] / scale[k]);
+                if (rest[k]) {
+                    result.error[k] = std::abs(result.torque[k]) + yield;
+                    ++result.rows_at_rest;
+                    continue;
                 }
+                const double before = k < earlier.size() ? earlier_share * earlier[k] : 0.0;
+                const double bar = std::max(safety * std::max(difference[k], before), least_bar);
+                result.error[k] = bar * scale[k];
+                result.worst_relative_error = std::max(result.worst_relative_error, bar);
             }
+            earlier = std::move(difference);
             result.reached = level > 1 && result.worst_relative_error <= accuracy;
             const double next_cost =
                 level_growth * static_cast<double>(found.linear_solves) * elements;

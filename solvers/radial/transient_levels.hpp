@@ -17,7 +17,10 @@ struct TransientTorque {
     bool reached{};             ///< every row meets the asked accuracy by its own estimate
     bool interrupted{};
     double worst_relative_error{}; ///< largest error over the row's scale, see `torque_scale`
-    double momentum_defect{};
+    double momentum_defect{};      ///< see GapRun
+    /// Rows at which the drive stands still and a yield stress holds all of the fluid: the law
+    /// leaves the torque open there, the bar covers all it allows, and `reached` leaves them out.
+    int rows_at_rest{};
     int levels{};
     int elements{};
     long steps{};
@@ -34,6 +37,10 @@ struct TransientTorque {
 [[nodiscard]] std::vector<double> steady_torque(std::span<const RotorGap> gaps,
                                                 const laws::flow::AnyFlowLaw& law,
                                                 const rheometry::SpeedHistory& history);
+
+/// Drive torque at which all gaps are on the point of yielding, >= 0.
+[[nodiscard]] double yield_torque(std::span<const RotorGap> gaps,
+                                  const laws::flow::AnyFlowLaw& law);
 
 /// Thickness of the momentum layer at the first row after each kink or jump; the smallest of them,
 /// m.

@@ -178,6 +178,83 @@ TEST(TransientGap, outer_and_inner_rotor_carry_opposite_torques_that_agree_in_a_
     EXPECT_NEAR(-on_outer / on_inner, 1.0, 1e-5);
 }
 
+// The rotor of a double gap's inner annulus: the outer wall turns. After the start's transient the
+// ramp obeys 1 + T/t with T in closed form (docs/radial.md, eq. 7, with the walls' roles
+// exchanged).
+TEST(TransientGap, ramp_of_an_outer_rotor_matches_the_closed_form) {
+    for (const double outer : {0.015, 0.030}) {
+        const GapShape gap{.planar = false,
+                           .inner = 0.014,
+                           .outer = outer,
+                           .outer_wall_moves = true,
+                           .density = 998.2};
+        const double nu = water.viscosity / gap.density;
+        const double decay = gap.width() * gap.width() / (nu * 9.0);
+        const double time = 40.0 * decay;
+        const double lag = verification::annulus_lag(gap.inner, gap.outer, nu, true);
+        EXPECT_GT(std::abs(lag), 0.001 * time) << "the inertia must be there to be seen";
+        const auto flux =
+            wall_flux(gap, water, ramp(1.0, time, {time}),
+                      {.elements = 40, .layer = 0.2 * gap.width(), .step_tolerance = 1e-8});
+        const double exact = steady_newtonian_flux(gap, water.viscosity, 1.0) * (1.0 + lag / time);
+        EXPECT_NEAR(flux[0] / exact, 1.0, 1e-7) << outer;
+    }
+}
+
+TEST(TransientGap, lag_of_a_narrow_annulus_is_the_plane_gap_s_at_either_wall) {
+    EXPECT_NEAR(verification::annulus_lag(1.0, 1.0001, 1.0) / (1e-8 / 3.0), 1.0, 1e-3);
+    EXPECT_NEAR(verification::annulus_lag(1.0, 1.0001, 1.0, true) / (1e-8 / 3.0), 1.0, 1e-3);
+}
+
+TEST(TransientGap, double_gap_s_torque_is_the_sum_of_its_annuli) {
+    const auto history = ramp(2.0, 3.0, {0.5, 3.0});
+    const std::vector<RotorGap> gaps =
+        rotor_gaps(geometry::DoubleGap{{0.020, 0.02038, 0.02196, 0.02238}, 0.055}, 998.2);
+    const auto both = solve_levels(gaps, water, history, 1e-6, {});
+    const auto inner = solve_levels({&gaps[0], 1}, water, history, 1e-6, {});
+    const auto outer = solve_levels({&gaps[1], 1}, water, history, 1e-6, {});
+    ASSERT_TRUE(both.reached);
+    for (std::size_t k = 0; k < 2; ++k) {
+        EXPECT_GT(inner.torque[k], 0.0);
+        EXPECT_GT(outer.torque[k], 0.0);
+        EXPECT_NEAR(both.torque[k] / (inner.torque[k] + outer.torque[k]), 1.0, 2e-6);
+    }
+}
+
+// An abrupt stop leaves the stress inside the stopped fluid open: the bar has to say so, and the
+// rows must not keep the levels from ending.
+TEST(TransientGap, rows_at_rest_after_a_jump_to_zero_cover_what_the_law_allows) {
+    rheometry::SpeedHistory history{.pieces = {{0.0, 1.0, 10.0, 10.0}, {1.0, 2.0, 0.0, 0.0}},
+                                    .row_times = {0.5, 1.0, 1.5, 2.0},
+                                    .initial_speed = 10.0};
+    const std::vector<RotorGap> gap{
+        {{.planar = false, .inner = 0.014, .outer = 0.016, .density = 1000.0}, -1.0}};
+    for (const AnyFlowLaw& law :
+         {AnyFlowLaw{HerschelBulkley{5.0, 0.5, 0.5}}, AnyFlowLaw{Bingham{5.0, 0.05}}}) {
+        const double yield = 5.0 * 0.014 * 0.014;
+        const auto coarse = solve_levels(gap, law, history, 1e-2, {});
+        const auto fine = solve_levels(gap, law, history, 1e-3, {});
+        EXPECT_TRUE(coarse.reached && fine.reached) << name_of(law);
+        EXPECT_EQ(fine.rows_at_rest, 2) << name_of(law);
+        for (std::size_t k = 0; k < 4; ++k) {
+            EXPECT_LE(std::abs(fine.torque[k] - coarse.torque[k]), coarse.error[k] + fine.error[k]);
+        }
+        for (std::size_t k = 2; k < 4; ++k) {
+            EXPECT_LE(fine.torque[k] - fine.error[k], -yield);
+            EXPECT_GE(fine.torque[k] + fine.error[k], yield);
+        }
+    }
+}
+
+TEST(TransientGap, a_tiny_start_before_a_fast_ramp_does_not_spoil_its_rows) {
+    rheometry::SpeedHistory history{.pieces = {{0.0, 10.0, 0.0, 1e-6}, {10.0, 20.0, 1e-6, 1.0}},
+                                    .row_times = {5.0, 10.0, 15.0, 20.0}};
+    const auto found =
+        solve_levels(std::vector<RotorGap>{{water_gap, -1.0}}, water, history, 1e-3, {});
+    EXPECT_TRUE(found.reached);
+    EXPECT_LE(found.levels, 4);
+}
+
 TEST(TransientGap, start_from_steady_flow_shows_no_transient_at_constant_speed) {
     for (const AnyFlowLaw& law : {AnyFlowLaw{water}, AnyFlowLaw{HerschelBulkley{5.0, 0.5, 0.5}},
                                   AnyFlowLaw{Cross{5.0, 0.01, 1.0, 0.4}}}) {
