@@ -87,7 +87,7 @@ bool units_can_be_read() {
 int doctor() {
     std::string text = fmt::format("searle {} ({})\n\nEngines\n", program_version(), compiler());
     text += fmt::format(
-        "  {:<14} {}: single gap, double gap, box, and the DIN bob as if endless; {} processors\n",
+        "  {:<14} {}: single gap, double gap, box, DIN bob with its ends; {} processors\n",
         "native", program_version(), std::thread::hardware_concurrency());
     for (const OptionalTool& tool : optional_tools)
         text += line_for(tool);

@@ -63,6 +63,16 @@ void check_run_names(const std::vector<Case>& cases) {
 
 void tell(const std::string& message) { std::fputs(message.c_str(), stderr); }
 
+/// What even --quiet says: that the exit code is not 0, and why.
+void tell_shortfall(Completeness completeness, const fs::path& folder) {
+    if (completeness == Completeness::not_reached)
+        tell(fmt::format(
+            "searle: the asked accuracy was not reached; results with their error bars: {}\n",
+            folder.string()));
+    else if (completeness == Completeness::interrupted)
+        tell(fmt::format("searle: interrupted; what was finished: {}\n", folder.string()));
+}
+
 } // namespace
 
 int run(const RunOptions& options) {
@@ -89,12 +99,16 @@ int run(const RunOptions& options) {
         write_result_folder(folder, files_of(record, ""), options.replace);
         if (!options.quiet)
             tell(result_message(record, folder));
+        else
+            tell_shortfall(record.summary.completeness, folder);
         return exit_code_for(record.summary.completeness);
     }
     const SweepRecord record = sweep_record(solved, cases, present_time());
     write_result_folder(folder, files_of(record), options.replace);
     if (!options.quiet)
         tell(result_message(record, folder));
+    else
+        tell_shortfall(record.summary.completeness, folder);
     return exit_code_for(record.summary.completeness);
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 using Piece = rheometry::SpeedHistory::Piece;
 
-constexpr long most_steps = 20'000'000;
+constexpr long most_steps = 2'000'000;
 constexpr long steps_between_calls = 32;
 /// Of the one small step after a jump, whose momentum is a tiny share of what the next row sees.
 constexpr double jump_tolerance = 1e-3;
@@ -44,8 +44,7 @@ public:
         typical_flux_ = fastest > 0.0 ? std::abs(steady_flux(fastest)) : 1.0;
     }
 
-    GapRun operator()(const std::function<void(std::size_t, double)>& at_row,
-                      const std::function<void()>& between_steps) {
+    GapRun operator()(const RowSink& at_row, const std::function<void()>& between_steps) {
         between_steps_ = between_steps;
         if (history_.initial_speed != 0.0) {
             if (!settle(history_.initial_speed)) {
@@ -77,7 +76,7 @@ public:
                 next_row_ = history_.row_times[row];
                 alive = advance_to(piece, next_row_);
                 if (alive) {
-                    at_row(row++, wall_flux());
+                    at_row(row++, {wall_flux(), system_.rounding()});
                 }
             }
             if (alive && row < history_.row_times.size()) {
@@ -95,6 +94,8 @@ public:
     }
 
 private:
+    /// What a step's error may be: no less than rounding leaves it.
+    [[nodiscard]] double allowed() const { return std::max(tolerance_, system_.rounding()); }
     [[nodiscard]] std::array<double, 2> walls(double speed) const {
         return shape_.outer_wall_moves ? std::array{0.0, speed} : std::array{speed, 0.0};
     }
@@ -208,9 +209,9 @@ private:
             }
             const double error = attempt(piece, step);
             const double factor = std::isfinite(error)
-                                      ? 0.9 * std::pow(std::max(error, 1e-12) / tolerance_, -0.25)
+                                      ? 0.9 * std::pow(std::max(error, 1e-12) / allowed(), -0.25)
                                       : 0.1;
-            if (error <= tolerance_) {
+            if (error <= allowed()) {
                 ++run_.steps;
                 time_ = steps_left <= 1.0 ? target : time_ + step;
                 const double next = step * std::clamp(factor, 0.3, 5.0);
@@ -289,7 +290,7 @@ private:
                                           : std::numeric_limits<double>::infinity();
         const double error =
             largest > 0.0 ? std::min(system_.flux_change(error_), delayed) / largest : 0.0;
-        if (!(error <= tolerance_)) {
+        if (!(error <= allowed())) {
             undo();
             return error;
         }
@@ -337,8 +338,7 @@ double typical_stress(const GapShape& shape, const laws::flow::AnyFlowLaw& law,
 
 GapRun run_gap(const GapShape& shape, const laws::flow::AnyFlowLaw& law,
                const rheometry::SpeedHistory& history, const GapResolution& resolution,
-               const std::function<void(std::size_t, double)>& at_row,
-               const std::function<void()>& between_steps) {
+               const RowSink& at_row, const std::function<void()>& between_steps) {
     const auto run = [&](const auto& chosen) {
         return Run(shape, chosen, law, history, resolution)(at_row, between_steps);
     };

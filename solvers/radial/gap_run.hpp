@@ -17,6 +17,13 @@ struct GapResolution {
     double step_tolerance{}; ///< local error of the flux in a step, relative to the largest flux
 };
 
+/// What one row of a run hands out.
+struct GapRow {
+    double flux{};     ///< at the moving wall, see run_gap
+    double rounding{}; ///< relative error of `flux` by rounding, estimated
+};
+using RowSink = std::function<void(std::size_t row, const GapRow&)>;
+
 /// A gap's transient at one resolution.
 struct GapRun {
     bool finished{}; ///< false: a step could not be taken; the rows before it are good
@@ -37,11 +44,11 @@ struct GapRun {
 /// embedded error mapped to a change of flux. Starts from rest, or from steady flow at
 /// history.initial_speed.
 /// @param between_steps  called every few dozen steps; may throw to stop the run
-/// @param at_row  called at each row with its index and the flux there; may throw to stop the run
+/// @param at_row  called at each row with its index and what was found there; may throw to stop the
+/// run
 [[nodiscard]] GapRun run_gap(const GapShape& shape, const laws::flow::AnyFlowLaw& law,
                              const rheometry::SpeedHistory& history,
-                             const GapResolution& resolution,
-                             const std::function<void(std::size_t, double)>& at_row,
+                             const GapResolution& resolution, const RowSink& at_row,
                              const std::function<void()>& between_steps = {});
 
 } // namespace searle::solvers::radial

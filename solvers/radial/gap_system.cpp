@@ -99,6 +99,8 @@ void GapSystem<Law>::assemble(const VelocityField& start, double theta, std::arr
     std::fill(diagonal_.begin(), diagonal_.end(), 0.0);
     node_residual_.front() += wall[0];
     node_residual_.back() -= wall[1];
+    stiffness_ = 0.0;
+    compliance_ = 0.0;
     for (std::size_t e = 0; e < element_.size(); ++e) {
         const GapElement::Flux local = flux.of(e);
         GapElement::Integrals integrals = element_[e].integrals(law_, local);
@@ -114,6 +116,8 @@ void GapSystem<Law>::assemble(const VelocityField& start, double theta, std::arr
         bubble_residual_[e] = residual[2] - 4.0 / 3.0 * w1;
 
         const auto& inverse = element_[e].inverse_mass();
+        stiffness_ = std::max(stiffness_, theta * inverse[0]);
+        compliance_ += tangent[0] + 2.0 * tangent[1] + tangent[2];
         diagonal_[e] += tangent[0] + theta * inverse[0];
         diagonal_[e + 1] += tangent[2] + theta * inverse[0];
         off_diagonal_[e] = tangent[1] - theta * inverse[0];
@@ -287,6 +291,15 @@ StageOutcome GapSystem<Law>::solve(const VelocityField& start, double theta,
     }
     added_compliance_ = 0.0;
     return outcome;
+}
+
+template <class Law>
+double GapSystem<Law>::rounding() const {
+    // Measured on slow ramps of viscous fluids against the closed form, 12 to 36 elements: a third
+    // to a sixth of this, growing alike.
+    const double ratio = compliance_ > 0.0 ? stiffness_ / compliance_ : 0.0;
+    return std::numeric_limits<double>::epsilon() *
+           (8.0 + 200.0 * ratio * static_cast<double>(elements()));
 }
 
 template <class Law>

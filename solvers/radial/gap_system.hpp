@@ -42,6 +42,10 @@ public:
     [[nodiscard]] std::size_t elements() const { return element_.size(); }
     [[nodiscard]] const Law& law() const { return law_; }
     [[nodiscard]] long linear_solves() const { return linear_solves_; }
+    /// Rounding error of the flux, relative: grows where a step is long against the time momentum
+    /// takes through an element, since the velocity then hangs on differences of nearly equal
+    /// fluxes.
+    [[nodiscard]] double rounding() const;
 
     /// dw/dt that goes with a flux.
     void acceleration(const FluxField& flux, VelocityField& result) const;
@@ -84,6 +88,8 @@ private:
     double added_compliance_ = 0.0; ///< 1/(Pa s) scale of the homotopy; 0 for the true equations
     std::vector<GapElement> element_;
     long linear_solves_ = 0;
+    double stiffness_ = 0.0;  ///< theta times the largest inverse mass of the last assembly
+    double compliance_ = 0.0; ///< integral of d rate / d flux over the gap, of the last assembly
 
     // Residual and tangent at the last assembled flux, and the factors of the condensed tangent.
     std::vector<double> node_residual_, bubble_residual_;

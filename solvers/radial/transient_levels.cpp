@@ -34,9 +34,13 @@ constexpr double earlier_share = 1.0 / 6.0;
 /// Safety factor of a bar made from few grids (Roache 1994, J. Fluids Eng. 116, 405). For order 4 a
 /// difference is fifteen errors; after jumps and near moving yield surfaces the order is lower.
 constexpr double safety = 3.0;
+/// At a row where the drive comes to rest the stress is singular in time for every law but
+/// Newton's.
+constexpr double stop_safety = 30.0;
 
 struct Level {
     std::vector<double> torque;
+    std::vector<double> rounding; ///< relative, of the worst gap
     bool finished = true;
     bool interrupted{};
     double momentum_defect{};
@@ -51,6 +55,7 @@ Level run_level(std::span<const RotorGap> gaps, const laws::flow::AnyFlowLaw& la
     Level level;
     const std::size_t rows = history.row_times.size();
     level.torque.assign(rows, 0.0);
+    level.rounding.assign(rows, 0.0);
     std::size_t complete = rows;
     for (std::size_t g = 0; g < gaps.size(); ++g) {
         std::vector<double> flux;
@@ -66,8 +71,9 @@ Level run_level(std::span<const RotorGap> gaps, const laws::flow::AnyFlowLaw& la
                  .layer = layers[g],
                  .steps_per_row = steps_per_row,
                  .step_tolerance = tolerance},
-                [&](std::size_t row, double wall_flux) {
-                    flux.push_back(wall_flux);
+                [&](std::size_t row, const GapRow& found) {
+                    flux.push_back(found.flux);
+                    level.rounding[row] = std::max(level.rounding[row], found.rounding);
                     at(share(row + 1));
                 },
                 [&] { at(share(flux.size())); });
@@ -278,6 +284,7 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
             const double least_bar =
                 tolerance > smallest_tolerance ? 1e-12 : 5.0 * smallest_tolerance;
             result.worst_relative_error = 0.0;
+            double worst_rounding = 0.0;
             result.rows_at_rest = 0;
             for (std::size_t k = 0; k < scale.size(); ++k) {
                 if (rest[k]) {
@@ -286,15 +293,22 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
                     continue;
                 }
                 const double before = k < earlier.size() ? earlier_share * earlier[k] : 0.0;
-                const double bar = std::max(safety * std::max(difference[k], before), least_bar);
+                const bool stopped = history.speed_at(history.row_times[k]) == 0.0;
+                const double bar =
+                    std::max({(stopped ? stop_safety : safety) * std::max(difference[k], before),
+                              least_bar, found.rounding[k]});
                 result.error[k] = bar * scale[k];
+                worst_rounding = std::max(worst_rounding, found.rounding[k]);
                 result.worst_relative_error = std::max(result.worst_relative_error, bar);
             }
             earlier = std::move(difference);
             result.reached = level > 1 && result.worst_relative_error <= accuracy;
             const double next_cost =
                 level_growth * static_cast<double>(found.linear_solves) * elements;
-            if (result.reached || elements > most_elements / 2 || next_cost > most_element_solves) {
+            // Finer grids only add rounding once it is the larger part of the bar.
+            const bool rounded = level > 1 && worst_rounding > 0.3 * result.worst_relative_error;
+            if (result.reached || rounded || elements > most_elements / 2 ||
+                next_cost > most_element_solves) {
                 break;
             }
         } else {

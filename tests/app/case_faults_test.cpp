@@ -266,10 +266,10 @@ TEST(case_faults, fluid_bounds_and_contradictions) {
     expect({fluid(carreau + "infinite_viscosity = \"2 Pa.s\""), "fluid.infinite_viscosity", 12,
             "above the one at rest", "infinite_viscosity <= zero_viscosity", ""});
     EXPECT_TRUE(faults_of(fluid(carreau + "infinite_viscosity = \"1 Pa.s\"")).empty());
-    expect({fluid(cross + "flow_index = 1"), "fluid.flow_index", 11, "1 is not above 0 and below 1",
-            "a number", ""});
-    expect({fluid(cross + "flow_index = 0"), "fluid.flow_index", 11, "0 is not above 0 and below 1",
-            "a number", ""});
+    expect({fluid(cross + "flow_index = 1"), "fluid.flow_index", 11,
+            "1 is not at least 0.01 and below 1", "a number", ""});
+    expect({fluid(cross + "flow_index = 0"), "fluid.flow_index", 11,
+            "0 is not at least 0.01 and below 1", "a number", ""});
     expect({fluid("model = \"power-law\"\nconsistency = \"0.5 Pa.s\"\nflow_index = 0.5"),
             "fluid.consistency", 9, "of a viscosity; a consistency's unit depends", "0.5 Pa.s^n",
             "\"Pa.s^n\""});

@@ -26,7 +26,7 @@ std::vector<double> wall_flux(const GapShape& shape, const AnyFlowLaw& law,
                               const GapResolution& resolution) {
     std::vector<double> flux;
     const GapRun run = run_gap(shape, law, history, resolution,
-                               [&](std::size_t, double each) { flux.push_back(each); });
+                               [&](std::size_t, const GapRow& row) { flux.push_back(row.flux); });
     EXPECT_TRUE(run.finished);
     // What the walls delivered is in the fluid: the momentum balance holds to rounding.
     EXPECT_LT(run.momentum_defect, 1e-12);
