@@ -37,6 +37,8 @@ constexpr double safety = 3.0;
 /// At a row where the drive comes to rest the stress is singular in time for every law but
 /// Newton's.
 constexpr double stop_safety = 30.0;
+/// Of the step tolerance, left over by the nonlinear solves (gap_run.cpp).
+constexpr double solve_share = 1e-2;
 
 struct Level {
     std::vector<double> torque;
@@ -280,9 +282,11 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
             const std::vector<double> scale = torque_scale(result.torque, steady);
             std::vector<double> difference = differences(result.torque, coarse, scale, smooth);
             const std::vector<bool> rest = rows_at_rest(result.torque, yield, history);
-            // Once the step tolerance has reached its floor two levels share their time error.
+            // Once the step tolerance has reached its floor two levels share their time error; and
+            // each solve is ended at a share of the step tolerance.
             const double least_bar =
-                tolerance > smallest_tolerance ? 1e-12 : 5.0 * smallest_tolerance;
+                std::max(solve_share * tolerance,
+                         tolerance > smallest_tolerance ? 1e-12 : 5.0 * smallest_tolerance);
             result.worst_relative_error = 0.0;
             double worst_rounding = 0.0;
             result.rows_at_rest = 0;
