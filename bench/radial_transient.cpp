@@ -169,6 +169,7 @@ struct Tally {
 int main(int argc, char** argv) {
     const int scenes = argc > 1 ? std::atoi(argv[1]) : 520;
     const unsigned long seed = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1;
+    const double tightest = argc > 3 ? std::atof(argv[3]) : 1e-6;
     std::setvbuf(stdout, nullptr, _IOLBF, 0);
     Draw draw(seed);
     std::map<std::pair<std::string, double>, Tally> tallies;
@@ -178,6 +179,9 @@ int main(int argc, char** argv) {
             fmt::print("{} of {} scenes\n", index, scenes);
         }
         const TransientScene scene = draw_scene(index, draw);
+        if (scene.accuracy < 0.99 * tightest) {
+            continue;
+        }
         const std::clock_t begin = std::clock();
         const TransientTorque found = solvers::radial::solve_levels(
             {&scene.gap, 1}, scene.law, scene.history, scene.accuracy, {});

@@ -26,7 +26,7 @@ constexpr int most_levels = 9;
 constexpr int most_elements = 20000;
 /// Element solves (tens of nanoseconds to a tenth of a microsecond each) that a further level may
 /// be expected to cost; a level takes four to eight times those of the one before.
-constexpr double most_element_solves = 2e8;
+constexpr double most_element_solves = 3e7;
 constexpr double level_growth = 6.0;
 /// Share of the level before's difference that counts: two levels can agree by accident. Where the
 /// level converges at all it has fallen by more than this.
