@@ -19,6 +19,14 @@ const SpeedHistory::Piece& piece_at(const std::vector<SpeedHistory::Piece>& piec
 
 } // namespace
 
+double SpeedHistory::fastest_speed() const {
+    double fastest = std::abs(initial_speed);
+    for (const Piece& piece : pieces) {
+        fastest = std::max({fastest, std::abs(piece.start_speed), std::abs(piece.end_speed)});
+    }
+    return fastest;
+}
+
 double SpeedHistory::speed_at(double time) const {
     const Piece& piece = piece_at(pieces, time);
     const double fraction = (time - piece.start_time) / (piece.end_time - piece.start_time);

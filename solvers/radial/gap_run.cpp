@@ -37,10 +37,7 @@ public:
         for (VelocityField& slope : slope_) {
             slope.resize(count);
         }
-        double fastest = std::abs(history.initial_speed);
-        for (const Piece& piece : history.pieces) {
-            fastest = std::max({fastest, std::abs(piece.start_speed), std::abs(piece.end_speed)});
-        }
+        const double fastest = history.fastest_speed();
         typical_flux_ = fastest > 0.0 ? std::abs(steady_flux(fastest)) : 1.0;
     }
 
@@ -107,15 +104,10 @@ private:
         return piece.start_speed + fraction * (piece.end_speed - piece.start_speed);
     }
 
-    /// The flux of the steady flow at a speed: the same all over the gap.
+    /// The flux of the steady flow at a speed, with its sign: the same all over the gap.
     [[nodiscard]] double steady_flux(double speed) const {
         const double sign = (speed > 0.0) == shape_.outer_wall_moves ? 1.0 : -1.0;
-        if (shape_.planar) {
-            return sign * system_.law().stress(std::abs(speed) / shape_.width());
-        }
-        const AnnularGap gap{shape_.inner, shape_.outer};
-        return sign * steady_gap_flow(gap, original_, std::abs(speed)).torque_per_length /
-               (2.0 * std::numbers::pi);
+        return sign * steady_flux_size(shape_, original_, std::abs(speed));
     }
     void guess_steady(double speed) {
         std::fill(flux_.node.begin(), flux_.node.end(), steady_flux(speed));
@@ -197,7 +189,7 @@ private:
             if (left <= 1e-13 * std::max(target, 1e-300)) {
                 break;
             }
-            // Equal steps up to the target rather than a stub at its end.
+            // Equal steps up to the target rather than a short one at its end.
             const double steps_left = std::ceil(left / std::min(step_, longest) * (1.0 - 1e-12));
             const double step =
                 steps_left > 1e9 ? std::min(step_, longest) : left / std::max(1.0, steps_left);
@@ -326,34 +318,33 @@ private:
 /// Stress at the fastest wall speed, spread over the gap.
 double typical_stress(const GapShape& shape, const laws::flow::AnyFlowLaw& law,
                       const rheometry::SpeedHistory& history) {
-    double fastest = std::abs(history.initial_speed);
-    for (const Piece& piece : history.pieces) {
-        fastest = std::max({fastest, std::abs(piece.start_speed), std::abs(piece.end_speed)});
-    }
+    const double fastest = history.fastest_speed();
     const double radius = shape.planar ? 1.0 : shape.inner;
     return fastest > 0.0 ? laws::flow::stress(law, fastest * radius / shape.width()) : 1.0;
 }
 
 } // namespace
 
+double steady_flux_size(const GapShape& shape, const laws::flow::AnyFlowLaw& law, double speed) {
+    if (shape.planar) {
+        return laws::flow::stress(law, speed / shape.width());
+    }
+    return steady_gap_flow({shape.inner, shape.outer}, law, speed).torque_per_length /
+           (2.0 * std::numbers::pi);
+}
+
 GapRun run_gap(const GapShape& shape, const laws::flow::AnyFlowLaw& law,
                const rheometry::SpeedHistory& history, const GapResolution& resolution,
                const RowSink& at_row, const std::function<void()>& between_steps) {
-    const auto run = [&](const auto& chosen) {
-        return Run(shape, chosen, law, history, resolution)(at_row, between_steps);
-    };
-    if (const auto* carreau = std::get_if<laws::flow::CarreauYasuda>(&law)) {
-        return run(TabulatedLaw(*carreau, typical_stress(shape, law, history)));
-    }
-    if (const auto* cross = std::get_if<laws::flow::Cross>(&law)) {
-        return run(TabulatedLaw(*cross, typical_stress(shape, law, history)));
-    }
     return std::visit(
         [&](const auto& chosen) {
+            const auto run = [&](const auto& used) {
+                return Run(shape, used, law, history, resolution)(at_row, between_steps);
+            };
             using Law = std::decay_t<decltype(chosen)>;
             if constexpr (std::is_same_v<Law, laws::flow::CarreauYasuda> ||
                           std::is_same_v<Law, laws::flow::Cross>) {
-                return GapRun{};
+                return run(TabulatedLaw(chosen, typical_stress(shape, law, history)));
             } else {
                 return run(chosen);
             }

@@ -35,6 +35,11 @@ struct GapRun {
     double momentum_defect{};
 };
 
+/// Size of the flux of steady flow at a speed difference > 0 of the walls, >= 0: the same all over
+/// the gap.
+[[nodiscard]] double steady_flux_size(const GapShape& shape, const laws::flow::AnyFlowLaw& law,
+                                      double speed);
+
 /// Flux F at the moving wall: r^2 tau (N) in an annulus, tau (Pa) when planar, tau > 0 for dw/dx >
 /// 0.
 ///

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 namespace searle::solvers::radial {
@@ -187,13 +186,8 @@ std::vector<double> steady_torque(std::span<const RotorGap> gaps, const laws::fl
         const double speed = std::abs(history.speed_at(history.row_times[k]));
         for (const RotorGap& gap : gaps) {
             if (speed > 0.0) {
-                const double flux =
-                    gap.shape.planar
-                        ? laws::flow::stress(law, speed / gap.shape.width())
-                        : steady_gap_flow({gap.shape.inner, gap.shape.outer}, law, speed)
-                                  .torque_per_length /
-                              (2.0 * std::numbers::pi);
-                torque[k] += std::abs(gap.torque_per_flux) * flux;
+                torque[k] +=
+                    std::abs(gap.torque_per_flux) * steady_flux_size(gap.shape, law, speed);
             }
         }
     }
