@@ -55,12 +55,13 @@ struct OutlineEdge {
 /// as patches of small quadrilaterals (add_patch); each patch has its own points, so that what
 /// jumps between elements jumps here too.
 struct SectionFields {
-    std::size_t row{}; ///< of the rheogram, from 1
-    double time{};     ///< s
-    double speed{};    ///< rad/s, of the drive
-    /// Stress at which the fluid yields, Pa; 0: it has none. The yield surface is where
-    /// shear_stress crosses it.
-    double yield_stress{};
+    std::size_t row{};     ///< of the rheogram, from 1
+    double time{};         ///< s
+    double speed{};        ///< rad/s, of the drive
+    double yield_stress{}; ///< Pa; 0: the fluid has none
+    /// Rate of shear up to which the fluid counts as rigid, 1/s: what a computed rate cannot tell
+    /// from none. The yield surface is drawn where shear_rate crosses it.
+    double rigid_rate{};
     std::vector<SectionPoint> points;
     /// Corners, anticlockwise seen with r to the right and z upwards.
     std::vector<std::array<std::uint32_t, 4>> cells;

@@ -175,6 +175,7 @@ std::string vtu_text(const SectionFields& section) {
     add_number(out, "row", static_cast<double>(section.row));
     add_number(out, "speed_rad_s", section.speed);
     add_number(out, "yield_stress_Pa", section.yield_stress);
+    add_number(out, "rigid_rate_1_s", section.rigid_rate);
     out +=
         fmt::format("</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n",
                     section.points.size(), types.size());
@@ -213,6 +214,7 @@ SectionFields read_vtu_text(std::string_view text) {
     section.row = static_cast<std::size_t>(number_in(named(data, "row")));
     section.speed = number_in(named(data, "speed_rad_s"));
     section.yield_stress = number_in(named(data, "yield_stress_Pa"));
+    section.rigid_rate = number_in(named(data, "rigid_rate_1_s"));
 
     const auto place = decoded<double>(named(arrays_in(text, "Points"), "points"), 3 * points);
     for (std::size_t point = 0; point < points; ++point) {

@@ -104,6 +104,29 @@ struct ColourRange {
     }
 };
 
+/// The triangles of a scalar that are not shaded as rigid.
+DrawnScalar without_rigid(const SectionPicture& picture, const DrawnScalar& scalar) {
+    if (picture.blank_field.empty()) {
+        return scalar;
+    }
+    const DrawnScalar blank = drawn_scalar(*picture.section, picture.blank_field);
+    DrawnScalar rest = scalar;
+    rest.triangles.clear();
+    rest.area.clear();
+    for (std::size_t t = 0;
+         t < scalar.triangles.size() && blank.triangles.size() == scalar.triangles.size(); ++t) {
+        const auto& corner = blank.triangles[t];
+        const bool flows = std::any_of(corner.begin(), corner.end(), [&](std::uint32_t k) {
+            return blank.values[k] > picture.blank_below;
+        });
+        if (flows) {
+            rest.triangles.push_back(scalar.triangles[t]);
+            rest.area.push_back(scalar.area[t]);
+        }
+    }
+    return rest.triangles.empty() ? scalar : rest;
+}
+
 ColourRange range_of(const SectionPicture& picture, const DrawnScalar& scalar) {
     // On a logarithmic scale no more than these decades: below lies what numerics leave of zero.
     constexpr double most_ratio = 1e4;
@@ -179,7 +202,7 @@ void draw_bar(std::string& out, const SectionPicture& picture, const Frame& fram
 std::string_view outline_class(OutlineKind kind) {
     switch (kind) {
     case OutlineKind::rotor:
-        return "outline line-1";
+        return "rotor-wall";
     case OutlineKind::axis:
         return "axis-line";
     case OutlineKind::free_surface:
@@ -249,7 +272,8 @@ std::string draw(const SectionPicture& picture) {
     out += ">";
     const DrawnScalar scalar = drawn_scalar(section, picture.field);
     const bool has_colours = !scalar.triangles.empty();
-    const ColourRange range = has_colours ? range_of(picture, scalar) : ColourRange{};
+    const ColourRange range =
+        has_colours ? range_of(picture, without_rigid(picture, scalar)) : ColourRange{};
     if (has_colours) {
         draw_colours(out, frame, scalar, range);
     }

@@ -35,15 +35,15 @@ struct SectionPicture {
     std::optional<double> high{}; ///< the extremes that fill less than 0.5 % of the area
     std::vector<ContourLines> lines{};
     /// Where not empty: the part of the section below `blank_below` in this field is shaded as
-    /// rigid (the field shear_stress and the yield stress).
+    /// rigid (the field shear_rate and SectionFields::rigid_rate).
     std::string blank_field{};
     double blank_below{};
     std::optional<SectionWindow> window{}; ///< absent: the whole section
     std::string id{};                      ///< unique within a page: letters, digits, hyphens
     std::string title{};                   ///< what a screen reader says
     std::string letter{};                  ///< "a" for panel (a); empty: none
-    double width = 300.0;                  ///< pixels, colour scale included
-    double most_height = 520.0;            ///< pixels
+    double width = 480.0;                  ///< pixels, colour scale included
+    double most_height = 560.0;            ///< pixels
 };
 
 /// Draws it as an <svg> element that needs figure_style() in the page. A field that is missing or
