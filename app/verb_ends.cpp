@@ -1,6 +1,7 @@
 #include "app/verb_ends.hpp"
 
 #include "app/case_reader.hpp"
+#include "app/ends_as_json.hpp"
 #include "app/exit_code.hpp"
 #include "app/fit_options.hpp"
 #include "app/interrupt.hpp"
@@ -10,7 +11,6 @@
 #include "solvers/axisymmetric/end_effect_table.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cstdio>
 #include <string_view>
@@ -20,25 +20,6 @@ namespace {
 
 using rheometry::EndEffect;
 using solvers::axisymmetric::EndEffectTable;
-
-std::string as_json(const EndEffectTable& table, const Case& source) {
-    nlohmann::ordered_json json;
-    json["case"] = source.file.filename().string();
-    json["geometry"] = geometry::name_of(source.scene.instrument);
-    json["fluid"] = laws::flow::name_of(source.scene.fluid.law);
-    json["accuracy_asked"] = source.scene.solver.accuracy;
-    json["reached"] = table.reached;
-    json["interrupted"] = table.interrupted;
-    json["rows"] = nlohmann::ordered_json::array();
-    for (const EndEffect& row : table.rows)
-        json["rows"].push_back({{"angular_velocity_rad_s", row.speed},
-                                {"shear_rate_1_s", row.shear_rate},
-                                {"end_factor", row.end_factor},
-                                {"error", row.error},
-                                {"lower_bound", row.lower},
-                                {"upper_bound", row.upper}});
-    return json.dump(2) + "\n";
-}
 
 std::string as_text(const EndEffectTable& table, const Case& source) {
     std::string text = fmt::format(
@@ -87,7 +68,7 @@ int ends(const EndsOptions& options) {
                 line.show(fraction, stage);
             });
     }
-    const std::string text = options.json  ? as_json(table, source)
+    const std::string text = options.json  ? ends_as_json(table, source)
                              : options.csv ? rheometry::end_effect_csv(table.rows)
                                            : as_text(table, source);
     if (options.output)
