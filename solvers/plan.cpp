@@ -74,17 +74,17 @@ Choice choose(const Scene& scene, const Forecast& forecast, bool transient) {
         return {
             "openfoam",
             fmt::format("solver.engine = \"openfoam\": this version cannot drive OpenFOAM yet.{}",
-                        is_din_bob(scene)
+                        has_ends(scene)
                             ? ""
                             : " engine = \"native\" solves this scene with the radial model."),
             false, false};
     }
-    if (asked == Model::three_dimensional || (asked == Model::axisymmetric && !is_din_bob(scene))) {
+    if (asked == Model::three_dimensional || (asked == Model::axisymmetric && !has_ends(scene))) {
         const char* name = asked == Model::axisymmetric ? "axisymmetric" : "3d";
         return {name,
                 fmt::format("solver.model = \"{}\": this version has no such model of this "
                             "instrument. model = \"auto\" solves this scene with the {} model.",
-                            name, is_din_bob(scene) ? "axisymmetric" : "radial"),
+                            name, has_ends(scene) ? "axisymmetric" : "radial"),
                 false, false};
     }
     if (asked == Model::radial && forecast.conversion.end_factor_provisional) {
@@ -95,9 +95,9 @@ Choice choose(const Scene& scene, const Forecast& forecast, bool transient) {
             "for c_L (the default is 1.10).",
             false, false};
     }
-    if (is_din_bob(scene) && asked != Model::radial) {
+    if (has_ends(scene) && asked != Model::radial) {
         return {"axisymmetric",
-                fmt::format("The flow around a DIN bob's ends is axisymmetric: one unknown, the "
+                fmt::format("The flow around the rotor's ends is axisymmetric: one unknown, the "
                             "angular velocity w(r, z), in the whole section; {}.",
                             why_transient(scene, forecast, transient)),
                 true, false};
@@ -109,10 +109,10 @@ Choice choose(const Scene& scene, const Forecast& forecast, bool transient) {
 
 std::vector<std::string> choice_warnings(const Scene& scene, const Choice& choice) {
     std::vector<std::string> warnings;
-    if (choice.is_radial && is_din_bob(scene)) {
-        warnings.emplace_back("The radial model is an explicit choice for this DIN bob: it ignores "
-                              "the flow around cone, top and shaft and its inertia, and takes them "
-                              "as a factor c_L on the endless bob's torque.");
+    if (choice.is_radial && has_ends(scene)) {
+        warnings.emplace_back("The radial model is an explicit choice for this instrument: it "
+                              "ignores the flow around the rotor's ends and its inertia, and takes "
+                              "them as a factor c_L on the endless rotor's torque.");
     }
     if (choice.model == "axisymmetric" && scene.solver.secondary_flow == Switch::on) {
         warnings.emplace_back("secondary_flow = true: this version solves the swirl alone; the "

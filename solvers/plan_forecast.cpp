@@ -217,7 +217,7 @@ Forecast forecast(const Scene& scene) {
         times = settling_times(curve, 0.0, speeds, scene.solver.accuracy);
     }
 
-    const bool has_ends = std::holds_alternative<geometry::DinBob>(scene.instrument);
+    const bool has_ends = geometry::has_ends(scene.instrument);
     const double end_factor = has_ends ? result.conversion.end_factor : 1.0;
     const InstrumentGap& decisive = curve.gaps().back();
     const bool is_plane = decisive.plane_width > 0.0;
