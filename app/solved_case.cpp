@@ -64,6 +64,7 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
     SolvedCase solved{.source = std::move(planned.source),
                       .plan = std::move(planned.plan),
                       .solution = {},
+                      .division = {},
                       .conversion = {},
                       .rheogram = {},
                       .clock = std::move(planned.clock)};
@@ -74,6 +75,8 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
             solvers::axisymmetric::solve_axisymmetric(scene, solved.plan, progress);
         solved.solution = std::move(report.solution);
         end_factors = std::move(report.end_factor);
+        if (!report.division.lines.front().empty())
+            solved.division = std::move(report.division);
     } else {
         solved.solution = solvers::radial::solve_radial(scene, solved.plan, progress);
     }

@@ -5,10 +5,12 @@
 #include "app/summary_json.hpp"
 #include "rheometry/conversion/conversion.hpp"
 #include "rheometry/rheogram.hpp"
+#include "solvers/axisymmetric/section_mesh.hpp"
 #include "solvers/plan.hpp"
 #include "solvers/progress.hpp"
 #include "solvers/radial/radial_solver.hpp"
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -36,6 +38,7 @@ struct SolvedCase {
     Case source;
     solvers::Plan plan;
     solvers::radial::RadialReport solution;
+    std::optional<solvers::axisymmetric::SectionDivision> division; ///< where a mesh was used
     rheometry::Conversion conversion;
     rheometry::Rheogram rheogram;
     StageClock clock;

@@ -51,8 +51,8 @@ public:
 
     [[nodiscard]] std::string svg() const {
         std::string text = fmt::format(
-            "<clipPath id=\"panel{0}\"><rect x=\"{1:.2f}\" y=\"{2:.2f}\" width=\"{3:.2f}\" "
-            "height=\"{4:.2f}\"/></clipPath>\n<g clip-path=\"url(#panel{0})\">\n",
+            "<clipPath id=\"mesh-panel{0}\"><rect x=\"{1:.2f}\" y=\"{2:.2f}\" width=\"{3:.2f}\" "
+            "height=\"{4:.2f}\"/></clipPath>\n<g clip-path=\"url(#mesh-panel{0})\">\n",
             number_, x_ - 3, title_height - 3, width() + 6, height() + 6);
         text += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"#555\" stroke-width=\"0.5\"/>\n",
                             grid());

@@ -87,6 +87,7 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
         solution.refinements = ends.levels();
         solution.linear_solves = ends.newton_steps();
         solution.unknowns = ends.unknowns();
+        report.division = ends.division();
         if (ends.solutions() > 0) {
             const auto fastest =
                 *std::max_element(speeds.begin(), speeds.end(), [](double one, double other) {
@@ -119,6 +120,7 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
             solution.transient = true;
             solution.refinements = swirl.levels;
             solution.unknowns = swirl.unknowns;
+            report.division = swirl.division;
         } else {
             add_lag(plan, rows);
             if (plan.transient) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solvers/axisymmetric/section_mesh.hpp"
 #include "solvers/plan.hpp"
 #include "solvers/progress.hpp"
 #include "solvers/radial/radial_solver.hpp"
@@ -14,6 +15,8 @@ struct AxisymmetricReport {
     radial::RadialReport solution;
     /// c_L of the creeping flow at the row's speed; 1 at rest. One per row.
     std::vector<double> end_factor;
+    /// Of the mesh that the torques come from; without lines when every row is at rest.
+    SectionDivision division;
 };
 
 /// Torque history of a DIN bob with its ends, swirl only: steady rows of any flow law, and a

@@ -102,6 +102,7 @@ CreepingTorque creeping_torque(const geometry::DinBob& bob, const laws::flow::An
         result.levels = depth + 1;
         result.newton_steps += level->steps();
         result.unknowns = level->unknowns();
+        result.division = {level->lines(), level->rotation_space().degree()};
         const double middle = law.homogeneity() > 0.0 ? 0.5 * (own.lower + own.upper)
                                                       : 0.5 * (own.dissipation + own.flux);
         const double half_bracket = 0.5 * (own.upper - own.lower);

@@ -2,6 +2,7 @@
 
 #include "geometry/din_bob.hpp"
 #include "laws/flow/flow_law.hpp"
+#include "solvers/axisymmetric/section_mesh.hpp"
 #include "solvers/progress.hpp"
 
 namespace searle::solvers::axisymmetric {
@@ -29,8 +30,9 @@ struct CreepingTorque {
     double energy_gap{}; ///< (potential - conjugate) / potential
     bool reached{};      ///< `error`, or the bracket's width, is as small as was asked
     int levels{};
-    int newton_steps{}; ///< over all levels and both fields
-    long unknowns{};    ///< of the finest level, both fields
+    int newton_steps{};       ///< over all levels and both fields
+    long unknowns{};          ///< of the finest level, both fields
+    SectionDivision division; ///< of the finest level
 };
 
 /// Solves for the torque at one speed, refining until the accuracy is reached

@@ -141,7 +141,8 @@ SwirlResponse swirl_response(const geometry::DinBob& bob, double viscosity, doub
     SwirlResponse response{.steady = torque_scale * steady_stiffness,
                            .at_once = inertia,
                            .modes = {},
-                           .unknowns = space.unknowns()};
+                           .unknowns = space.unknowns(),
+                           .division = {lines, resolution.degree}};
     for (Index k = 0; k < count; ++k) {
         const double time = eigen.eigenvalues()[k];
         const double weight = eigen.eigenvectors()(0, k) * eigen.eigenvectors()(0, k);
@@ -214,6 +215,7 @@ TransientSwirl transient_swirl(const geometry::DinBob& bob, double viscosity, do
         result.levels = level + 1;
         result.modes = static_cast<int>(response.modes.size());
         result.unknowns = response.unknowns;
+        result.division = response.division;
         result.steady = response.steady;
         if (level > 0) {
             const std::vector<double> scale = scale_of(result.torque);

@@ -2,6 +2,7 @@
 
 #include "geometry/din_bob.hpp"
 #include "rheometry/speed_history.hpp"
+#include "solvers/axisymmetric/section_mesh.hpp"
 
 #include <vector>
 
@@ -20,6 +21,7 @@ struct SwirlResponse {
     };
     std::vector<Mode> modes;
     long unknowns{};
+    SectionDivision division;
 };
 
 /// One level of resolution.
@@ -49,7 +51,8 @@ struct TransientSwirl {
     int levels{};
     int modes{};
     long unknowns{};
-    double steady{}; ///< torque over speed without inertia, N m s
+    SectionDivision division; ///< of the finest level
+    double steady{};          ///< torque over speed without inertia, N m s
 };
 [[nodiscard]] TransientSwirl transient_swirl(const geometry::DinBob& bob, double viscosity,
                                              double density, const rheometry::SpeedHistory& history,
