@@ -115,7 +115,10 @@ void write_exchange(const Mesh& mesh, const fs::path& folder) {
     for_each_vtk_cell(mesh, [&](CellShape shape, std::span<const std::uint32_t> nodes, int patch) {
         Block& block = blocks[shape];
         block.nodes = nodes.size();
-        const std::vector<std::uint32_t> ordered = vtk_nodes(shape, nodes);
+        // meshio has VTK's order but for the straight prism, which it turns itself.
+        const std::vector<std::uint32_t> ordered =
+            shape == CellShape::prism6 ? std::vector<std::uint32_t>{nodes.begin(), nodes.end()}
+                                       : vtk_nodes(shape, nodes);
         block.connectivity.insert(block.connectivity.end(), ordered.begin(), ordered.end());
         block.numbers.push_back(patch == 0 ? fluid : patch);
     });

@@ -52,8 +52,6 @@ if ending == ".inp":
          "wedge15": "C3D15", "hexahedron": "C3D8", "hexahedron20": "C3D20", "triangle": "S3",
          "triangle6": "STRI65", "quad": "S4", "quad8": "S8R", "line": "T3D2", "line3": "T3D3"})
     mesh.cell_data, mesh.field_data = {}, {}
-    mesh.cell_sets = {n: [numpy.where(p == i)[0] for p in physical]
-                      for i, (n, d) in names.items()}
 elif ending == ".med":
     mesh.cell_data = {"cell_tags": [-p for p in physical]}
     mesh.cell_tags = {-i: [n] for i, (n, d) in names.items()}
@@ -65,6 +63,21 @@ elif ending in (".bdf", ".nas", ".fem"):
     _nastran._float_to_nastran_string = lambda value, length=16: numpy.format_float_scientific(
         value, exp_digits=1, precision=8).replace("e", "E")
 elif ending in (".xdmf", ".xmf"):
+    # meshio 5.0 reads mixed cells of the first order only; the file itself is after the standard.
+    import meshio.xdmf.main
+    from meshio.xdmf.common import xdmf_idx_to_meshio_type
+    def cells_of(data):
+        widths = dict(meshio._common.num_nodes_per_cell)
+        found, at = [], 0
+        while at < len(data):
+            kind = xdmf_idx_to_meshio_type[int(data[at])]
+            at += 2 if kind == "line" else 1
+            if not found or found[-1][0] != kind:
+                found.append((kind, []))
+            found[-1][1].append(data[at:at + widths[kind]])
+            at += widths[kind]
+        return [meshio.CellBlock(kind, numpy.array(rows)) for kind, rows in found]
+    meshio.xdmf.main.translate_mixed_cells = cells_of
     try:
         import h5py
     except ImportError:
@@ -74,6 +87,15 @@ said = io.StringIO()
 try:
     with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
         meshio.write(target, mesh, **options)
+        if ending == ".inp":
+            # One set a name: meshio writes one a name and shape, and reads the last of them.
+            everything = numpy.concatenate(physical)
+            with open(target, "a") as out:
+                for i, (n, d) in names.items():
+                    members = [str(k + 1) for k in numpy.flatnonzero(everything == i)]
+                    out.write("*ELSET, ELSET=%s\n" % n)
+                    out.write(",\n".join(",".join(members[k:k + 8])
+                                         for k in range(0, len(members), 8)) + "\n")
         back = meshio.read(target)
 except ImportError as error:
     # netCDF4 is python3-netcdf4
