@@ -94,8 +94,7 @@ int mesh(const MeshOptions& options) {
             check_place(*picture);
         }
     check_place(options.output);
-    const Case read = read_case(options.case_file, options.overrides);
-    const solvers::Scene& scene = read.scene;
+    const MeshCase scene = read_mesh_case(options.case_file, options.overrides);
     const geometry::MeshSubject subject =
         scene.profile ? geometry::MeshSubject{*scene.profile} : subject_of(scene.instrument);
     if (options.drawing && scene.profile)
@@ -111,7 +110,7 @@ int mesh(const MeshOptions& options) {
     if (options.preview) {
         const geometry::BuiltMesh section = section_of(subject, scene.mesh);
         write_picture(geometry::mesh_picture(section.mesh, built.domain.gap,
-                                             scene.title.empty() ? read.name : scene.title),
+                                             scene.title.empty() ? scene.name : scene.title),
                       *options.preview);
     }
     if (options.drawing)

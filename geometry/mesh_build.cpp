@@ -198,13 +198,43 @@ OutlineMeasures BuiltMesh::exact() const {
 }
 
 OutlineMeasures BuiltMesh::expected() const {
-    if (!domain.revolved || choices.order == 2 || choices.angular_cells == 0)
+    if (!domain.revolved || choices.angular_cells == 0)
         return exact();
+    if (choices.order == 2)
+        return expected_of_curved_cells();
     OutlineMeasures all = chord_measures_of(domain.outlines, choices.angle / choices.angular_cells,
                                             choices.radius_factor);
     all.volume *= part();
     for (auto& [patch, area] : all.patch_areas)
         area *= part();
+    return all;
+}
+
+OutlineMeasures BuiltMesh::expected_of_curved_cells() const {
+    const double cell = choices.angle / choices.angular_cells;
+    OutlineMeasures all = parabola_measures_of(domain.outlines, cell);
+    all.volume *= part();
+    for (auto& [patch, area] : all.patch_areas)
+        area *= part();
+    for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
+        const auto corners = mesh.faces.corners(face);
+        const auto on_axis = [&](std::size_t at) {
+            const Point& point = mesh.points[corners[at % 3]];
+            return point.x == 0.0 && point.y == 0.0;
+        };
+        for (std::size_t at = 0; corners.size() == 3 && at < 3; ++at) {
+            if (!on_axis(at) || on_axis(at + 1) || on_axis(at + 2))
+                continue;
+            const Point& tip = mesh.points[corners[at]];
+            const Point& one = mesh.points[corners[(at + 1) % 3]];
+            const Point& two = mesh.points[corners[(at + 2) % 3]];
+            const double turn = one.x * two.y - one.y * two.x; // of the normal out of the fluid
+            const double product = std::hypot(one.x, one.y) * std::hypot(two.x, two.y);
+            if (std::abs(turn) > 1e-9 * product) // else a face of a sweep's end, which is flat
+                all.volume += (turn > 0.0 ? 1.0 : -1.0) *
+                              curved_tip_volume(std::hypot(one.x, one.y), one.z - tip.z, cell);
+        }
+    }
     return all;
 }
 

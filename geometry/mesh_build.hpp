@@ -28,11 +28,14 @@ struct BuiltMesh {
 
     /// Part of the whole instrument's turn (or of a box's length) that the mesh holds.
     [[nodiscard]] double part() const;
-    /// Volume, areas and section of the mesh as they must come out: with chords in place of arcs
-    /// where cells are straight. The meshed part only, not the whole turn.
+    /// Volume, areas and section of the mesh as they must come out: with chords (of second
+    /// order: parabolas) in place of arcs. The meshed part only, not the whole turn.
     [[nodiscard]] OutlineMeasures expected() const;
-    /// The same of the true shape.
+    /// The same of the true shape, with arcs.
     [[nodiscard]] OutlineMeasures exact() const;
+
+private:
+    [[nodiscard]] OutlineMeasures expected_of_curved_cells() const;
 };
 
 /// Settles the settings for a subject. Throws MeshError.

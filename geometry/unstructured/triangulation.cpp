@@ -27,13 +27,19 @@ void* open_module() {
     return nullptr;
 }
 
-TriangulateFunction triangulate_function() {
+/// Null: gmsh is not here.
+TriangulateFunction loaded_function() {
     static const auto function = [] {
         void* const module = open_module();
         return module == nullptr
                    ? nullptr
                    : reinterpret_cast<TriangulateFunction>(dlsym(module, triangulate_symbol));
     }();
+    return function;
+}
+
+TriangulateFunction triangulate_function() {
+    const TriangulateFunction function = loaded_function();
     if (function == nullptr)
         throw MeshToolMissing("triangles are made by gmsh, which is not here; to get it: apt-get "
                               "install libgmsh-dev, and build Searle again");
@@ -49,6 +55,8 @@ void append(const TriangulationAnswer& answer, Mesh& mesh) {
 }
 
 } // namespace
+
+bool can_triangulate() { return loaded_function() != nullptr; }
 
 Mesh triangulated(const std::vector<Outline>& outlines, const TriangleSizes& sizes,
                   std::int64_t most_cells) {

@@ -173,16 +173,7 @@ TEST(MeshBuild, a_thousand_random_instruments_mesh_and_pass_the_checks) {
     for (int draw = 0; draw < 1000; ++draw) {
         const MeshSubject subject = dice.subject();
         const MeshSettings settings = dice.settings();
-        const MeshQuality quality = [&] {
-            BuiltMesh built = build_mesh(subject, settings);
-            // Second order meets arcs of up to 90 deg a cell less well than the default's 3 deg.
-            MeshQuality found = quality_of(built);
-            if (built.choices.order == 2)
-                std::erase_if(found.faults, [](const std::string& fault) {
-                    return fault.find("closed form") != std::string::npos;
-                });
-            return found;
-        }();
+        const MeshQuality quality = quality_of(build_mesh(subject, settings));
         EXPECT_TRUE(quality.faults.empty())
             << "draw " << draw << ", kind " << subject.index() << ": "
             << (quality.faults.empty() ? "" : quality.faults.front());
