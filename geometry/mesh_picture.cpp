@@ -130,7 +130,9 @@ Window whole_of(const Mesh& mesh) {
 
 /// Around the lower end of the patch "bob" (of the first patch where there is none).
 Window detail_of(const Mesh& mesh, double gap, const Window& whole) {
-    const Patch* const bob = mesh.patch("bob");
+    const Patch* bob = mesh.patch("bob");
+    if (bob == nullptr)
+        bob = mesh.patch("bob_inner");
     const Patch& patch = bob != nullptr ? *bob : mesh.patches.front();
     Point lowest = mesh.points[mesh.faces.nodes(patch.first)[0]];
     for (std::size_t face = patch.first; face < patch.first + patch.count; ++face)

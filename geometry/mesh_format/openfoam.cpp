@@ -52,7 +52,10 @@ void write_boundary(const Mesh& mesh, std::size_t inner_faces, const std::filesy
     for (const Patch& patch : mesh.patches) {
         out << "    " << patch.name << "\n    {\n        type            " << type_of(patch.kind)
             << ";\n";
-        if (patch.kind == PatchKind::wall)
+        const bool is_one_of_two = patch.name == "bob_inner" || patch.name == "bob_outer";
+        if (is_one_of_two) // a condition for bob is then one for both walls
+            out << "        inGroups        2(wall bob);\n";
+        else if (patch.kind == PatchKind::wall)
             out << "        inGroups        1(wall);\n";
         if (patch.kind == PatchKind::periodic)
             out << "        neighbourPatch  " << patch.partner << ";\n"

@@ -116,6 +116,26 @@ TEST(MeshBuild, a_double_gap_can_be_joined_under_its_rotor) {
         EXPECT_NE(built.mesh.patch(name), nullptr) << name;
 }
 
+TEST(MeshBuild, the_walls_of_a_double_gap_s_rotor_can_be_patches_of_their_own) {
+    const DoubleGap gap{{20e-3, 20.38e-3, 21.96e-3, 22.38e-3}, 55e-3};
+    for (const std::optional<double> clearance : {std::optional<double>{}, std::optional{3e-3}}) {
+        const BuiltMesh apart = build_mesh(gap, {.cells_across_gap = 3,
+                                                 .floor_clearance = clearance,
+                                                 .rotor_walls = RotorWalls::separate});
+        EXPECT_TRUE(quality_of(apart).faults.empty());
+        ASSERT_NE(apart.mesh.patch("bob_inner"), nullptr);
+        ASSERT_NE(apart.mesh.patch("bob_outer"), nullptr);
+        EXPECT_EQ(apart.mesh.patch("bob"), nullptr);
+        const BuiltMesh together =
+            build_mesh(gap, {.cells_across_gap = 3, .floor_clearance = clearance});
+        EXPECT_EQ(apart.mesh.patch("bob_inner")->count + apart.mesh.patch("bob_outer")->count,
+                  together.mesh.patch("bob")->count);
+    }
+    EXPECT_THROW((void)build_mesh(ConcentricCylinders{14e-3, 15e-3, 42e-3},
+                                  {.rotor_walls = RotorWalls::separate}),
+                 MeshError);
+}
+
 /// Draws laboratory-like instruments of all four types, and coarse settings.
 class Dice {
 public:
