@@ -4,7 +4,7 @@
 #include "geometry/mesh_resolution.hpp"
 #include "geometry/structured/instrument_blocks.hpp"
 #include "geometry/sweep.hpp"
-#include "geometry/unstructured/triangulation.hpp"
+#include "geometry/unstructured/tetrahedra.hpp"
 
 #include <fmt/format.h>
 
@@ -22,6 +22,7 @@ constexpr double widest_wedge = 10.0 * degree;
 constexpr double cell_angle = 3.0 * degree;
 constexpr double widest_cell = 90.0 * degree;
 constexpr int triangles_across = 8;
+constexpr int tetrahedra_across = 3;
 
 MeshExtent extent_for(const MeshSettings& settings) {
     if (settings.extent)
@@ -71,6 +72,12 @@ double outer_radius(const MeshDomain& domain) {
 int angular_cells_for(const MeshChoices& choices, const MeshDomain& domain,
                       const MeshSettings& settings) {
     const bool is_section = choices.extent == MeshExtent::section;
+    if (choices.cells == CellStyle::tetrahedra && !is_section) {
+        if (settings.angular_cells)
+            throw MeshError("mesh.angular_cells has no meaning for mesh.cells = \"tetrahedra\", "
+                            "which are as wide around the axis as in the section");
+        return 0;
+    }
     if (is_section && settings.angular_cells)
         throw MeshError("mesh.angular_cells has no meaning for mesh.extent = \"section\"");
     int count = is_section ? 0 : 1;
@@ -104,14 +111,14 @@ MeshChoices choices_in(const MeshDomain& domain, const MeshSubject& subject,
     choices.order = settings.order.value_or(1);
     choices.angle = angle_for(choices.extent, settings);
     choices.angular_cells = angular_cells_for(choices, domain, settings);
-    const bool has_chords =
-        domain.revolved && choices.order == 1 && choices.extent != MeshExtent::section;
+    const bool has_chords = domain.revolved && choices.order == 1 && choices.angular_cells > 0;
     choices.vertices =
         has_chords && choices.extent == MeshExtent::wedge ? VertexRadius::face : VertexRadius::wall;
     if (settings.vertices) {
         if (*settings.vertices == VertexRadius::face && !has_chords)
-            throw MeshError("mesh.vertices = \"face\" is for straight cells about an axis: with "
-                            "mesh.order = 2, in a section and in a box there are no chords");
+            throw MeshError("mesh.vertices = \"face\" is for swept straight cells about an axis: "
+                            "with mesh.order = 2, in tetrahedra, in a section and in a box there "
+                            "are no such chords");
         choices.vertices = *settings.vertices;
     }
     if (choices.vertices == VertexRadius::face)
@@ -128,22 +135,39 @@ Mesh structured_section(const MeshSubject& subject, const MeshChoices& choices,
     return section_of(layout);
 }
 
-Mesh triangle_section(const MeshDomain& domain, const MeshChoices& choices,
-                      const MeshSettings& settings) {
+TriangleSizes triangle_sizes(const MeshDomain& domain, const MeshChoices& choices,
+                             const MeshSettings& settings) {
     if (settings.first_cell)
         throw MeshError("mesh.first_cell is for mesh.cells = \"hexahedra\"; triangles take "
                         "mesh.cells_across_gap or mesh.cell_size");
     if (settings.cell_size)
         (void)cells_across(domain.gap, settings);
+    const bool is_tetrahedral =
+        choices.cells == CellStyle::tetrahedra && choices.extent != MeshExtent::section;
     TriangleSizes sizes;
-    sizes.across = settings.cells_across_gap.value_or(triangles_across);
+    sizes.across =
+        settings.cells_across_gap.value_or(is_tetrahedral ? tetrahedra_across : triangles_across);
     sizes.fixed = settings.cell_size.value_or(0.0);
     sizes.growth = settings.growth.value_or(1.2);
     sizes.largest =
         std::max(1.5 * domain.gap / sizes.across, 0.8 * outer_radius(domain) / sizes.across);
-    const int pieces = choices.cells == CellStyle::tetrahedra ? 3 : 1;
-    return triangulated(domain.outlines, sizes,
-                        settings.most_cells / (std::max(1, choices.angular_cells) * pieces));
+    return sizes;
+}
+
+Mesh tetrahedral_solid(const MeshDomain& domain, const MeshChoices& choices,
+                       const MeshSettings& settings) {
+    const SolidExtent solid{.revolved = domain.revolved,
+                            .extent = domain.revolved ? choices.angle
+                                                      : domain.length * choices.angle / turn,
+                            .closed = domain.revolved && choices.extent == MeshExtent::full};
+    return filled_with_tetrahedra(domain.outlines, triangle_sizes(domain, choices, settings), solid,
+                                  settings.most_cells);
+}
+
+Mesh triangle_section(const MeshDomain& domain, const MeshChoices& choices,
+                      const MeshSettings& settings) {
+    return triangulated(domain.outlines, triangle_sizes(domain, choices, settings),
+                        settings.most_cells / std::max(1, choices.angular_cells));
 }
 
 Mesh solid_of(Mesh section, const MeshDomain& domain, const MeshChoices& choices) {
@@ -164,7 +188,10 @@ std::vector<std::string> notes_on(const BuiltMesh& built) {
     const MeshChoices& choices = built.choices;
     std::vector<std::string> notes;
     const bool is_solid = choices.extent != MeshExtent::section;
-    if (built.domain.revolved && is_solid && choices.order == 1) {
+    if (is_solid && choices.cells == CellStyle::tetrahedra)
+        notes.push_back("tetrahedra have their vertices on the true walls; its two ends are a "
+                        "periodic pair");
+    else if (built.domain.revolved && is_solid && choices.order == 1) {
         const double part = built.expected().volume / built.exact().volume;
         const double half = 0.5 * choices.angle / choices.angular_cells;
         if (choices.vertices == VertexRadius::face)
@@ -247,15 +274,19 @@ BuiltMesh build_mesh(const MeshSubject& subject, const MeshSettings& settings) {
     built.domain = domain_of(subject, settings);
     built.choices = choices_in(built.domain, subject, settings);
     const MeshChoices& choices = built.choices;
-    const bool is_structured = choices.cells == CellStyle::hexahedra;
-    Mesh mesh = is_structured ? structured_section(subject, choices, settings)
-                              : triangle_section(built.domain, choices, settings);
-    if (choices.extent != MeshExtent::section)
+    const bool is_section = choices.extent == MeshExtent::section;
+    const bool is_filled = choices.cells == CellStyle::tetrahedra && !is_section;
+    const bool is_revolved = built.domain.revolved && !is_section;
+    Mesh mesh = is_filled ? tetrahedral_solid(built.domain, choices, settings)
+                : choices.cells == CellStyle::hexahedra
+                    ? structured_section(subject, choices, settings)
+                    : triangle_section(built.domain, choices, settings);
+    if (!is_section && !is_filled)
         mesh = solid_of(std::move(mesh), built.domain, choices);
-    if (choices.extent != MeshExtent::section && choices.cells == CellStyle::tetrahedra)
-        mesh = split_into_tetrahedra(mesh);
     if (choices.order == 2)
-        mesh = second_order(mesh, built.domain.revolved);
+        mesh = second_order(mesh, !is_revolved ? CurvedEdges::none
+                                  : is_filled  ? CurvedEdges::walls
+                                               : CurvedEdges::all);
     built.mesh = std::move(mesh);
     built.domain.slice.angle = choices.angle;
     built.notes = notes_on(built);

@@ -9,6 +9,7 @@
 #include <functional>
 #include <numbers>
 #include <random>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,8 @@ TEST(MeshBuild, every_kind_extent_style_and_order_is_closed_oriented_and_fills_i
                 for (const int order : {1, 2}) {
                     if (is_profile(subject) && style == CellStyle::hexahedra)
                         continue;
+                    if (style == CellStyle::tetrahedra && extent != MeshExtent::section)
+                        continue; // below: they are no sweep of the section
                     MeshSettings settings{
                         .cells_across_gap = 3, .order = order, .extent = extent, .cells = style};
                     if (extent == MeshExtent::full)
@@ -44,6 +47,67 @@ TEST(MeshBuild, every_kind_extent_style_and_order_is_closed_oriented_and_fills_i
                         GTEST_SKIP() << missing.what();
                     }
                 }
+}
+
+TEST(MeshBuild, tetrahedra_fill_every_solid_and_are_not_flat) {
+    for (const auto& [name, subject] : laboratory_subjects())
+        for (const auto extent : {MeshExtent::wedge, MeshExtent::sector, MeshExtent::full})
+            for (const int order : {1, 2}) {
+                // Around the axis tetrahedra of the double gap's thin gaps go into the millions.
+                const bool is_double = std::holds_alternative<DoubleGap>(subject);
+                if (extent != MeshExtent::wedge && (is_double || order == 2))
+                    continue;
+                try {
+                    const BuiltMesh built = build_mesh(subject, {.cells_across_gap = 1,
+                                                                 .order = order,
+                                                                 .extent = extent,
+                                                                 .cells = CellStyle::tetrahedra});
+                    const MeshQuality quality = quality_of(built);
+                    EXPECT_TRUE(quality.faults.empty())
+                        << name << ' ' << static_cast<int>(extent) << " order " << order << ": "
+                        << (quality.faults.empty() ? "" : quality.faults[0]);
+                    // checkMesh warns from 70 deg on; a wedge of 5 deg is thinner at the axis than
+                    // any cell.
+                    if (extent != MeshExtent::wedge) {
+                        EXPECT_LE(quality.largest_non_orthogonality, 75.0) << name;
+                    }
+                    EXPECT_NEAR(quality.volume.value / quality.volume.exact, 1.0, 5e-3) << name;
+                    if (extent != MeshExtent::full) {
+                        EXPECT_EQ(built.mesh.patch("periodic_front")->count,
+                                  built.mesh.patch("periodic_back")->count);
+                    }
+                } catch (const MeshToolMissing& missing) {
+                    GTEST_SKIP() << missing.what();
+                }
+            }
+}
+
+TEST(MeshBuild, both_ends_of_tetrahedra_are_the_same_triangles_turned) {
+    try {
+        const BuiltMesh built = build_mesh(DinBob{.bob_radius = 14e-3, .cup_radius = 15.2e-3},
+                                           {.cells_across_gap = 1,
+                                            .order = 2,
+                                            .extent = MeshExtent::sector,
+                                            .cells = CellStyle::tetrahedra});
+        const Mesh& mesh = built.mesh;
+        const double c = std::cos(mesh.periodic_map.angle);
+        const double s = std::sin(mesh.periodic_map.angle);
+        for (const auto& [front, back] : mesh.periodic_points) {
+            const Point& from = mesh.points[front];
+            const Point& to = mesh.points[back];
+            EXPECT_NEAR(c * from.x - s * from.y, to.x, 1e-15);
+            EXPECT_NEAR(s * from.x + c * from.y, to.y, 1e-15);
+            EXPECT_EQ(from.z, to.z);
+        }
+        // Every corner and middle of the front has its partner.
+        const Patch& front = *mesh.patch("periodic_front");
+        std::set<std::uint32_t> nodes;
+        for (std::size_t face = front.first; face < front.first + front.count; ++face)
+            nodes.insert(mesh.faces.nodes(face).begin(), mesh.faces.nodes(face).end());
+        EXPECT_EQ(nodes.size(), mesh.periodic_points.size());
+    } catch (const MeshToolMissing& missing) {
+        GTEST_SKIP() << missing.what();
+    }
 }
 
 TEST(MeshBuild, a_wedge_has_the_tangent_times_the_arc_s_volume) {
