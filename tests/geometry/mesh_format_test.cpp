@@ -3,6 +3,7 @@
 #include "geometry/mesh_quality.hpp"
 #include "mesh_readers.hpp"
 #include "mesh_subjects.hpp"
+#include "polymesh_reader.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -160,13 +161,39 @@ TEST(MeshFormat, formats_without_names_say_so_with_the_numbers) {
     EXPECT_NE(notes_for("avs").find("2 cup"), std::string::npos) << notes_for("avs");
 }
 
-TEST(MeshFormat, stl_triangles_have_the_patches_areas) {
+TEST(MeshFormat, polymesh_reads_back_with_the_same_cells_patches_and_volumes) {
+    const Folder folder;
+    for (const auto& [name, subject] : laboratory_subjects())
+        for (const auto extent : {MeshExtent::wedge, MeshExtent::sector, MeshExtent::full}) {
+            const BuiltMesh built = build_mesh(subject, {.cells_across_gap = 3, .extent = extent});
+            const MeshQuality quality = quality_of(built);
+            write_mesh(built.mesh, folder.path / "", MeshFormat::openfoam);
+            const PolyMesh read = read_polymesh(folder.path / "constant/polyMesh");
+            EXPECT_EQ(read.cells, quality.cells) << name;
+            EXPECT_NEAR(read.volume / quality.volume.value, 1.0, 1e-10) << name;
+            ASSERT_EQ(read.patches.size(), quality.areas.size()) << name;
+            for (const CheckedMeasure& area : quality.areas) {
+                ASSERT_TRUE(read.patches.contains(area.name)) << name << ' ' << area.name;
+                const PolyMesh::FoamPatch& patch = read.patches.at(area.name);
+                EXPECT_EQ(patch.faces, area.faces) << name << ' ' << area.name;
+                EXPECT_NEAR(patch.area / area.value, 1.0, 1e-10) << name << ' ' << area.name;
+                const PatchKind kind = built.mesh.patch(area.name)->kind;
+                EXPECT_EQ(patch.type == "wall", kind == PatchKind::wall) << area.name;
+                EXPECT_EQ(patch.type == "wedge", kind == PatchKind::wedge) << area.name;
+                EXPECT_EQ(patch.type == "cyclic", kind == PatchKind::periodic) << area.name;
+                EXPECT_EQ(patch.partner, built.mesh.patch(area.name)->partner) << area.name;
+            }
+        }
+}
+
+TEST(MeshFormat, stl_triangles_have_the_patches_areas_and_enclose_the_volume) {
     const Folder folder;
     const BuiltMesh built =
         build_mesh(DinBob{.bob_radius = 14e-3, .cup_radius = 15.2e-3}, {.cells_across_gap = 4});
     write_mesh(built.mesh, folder.path / "din.stl", MeshFormat::stl);
     std::ifstream in(folder.path / "din.stl");
     std::map<std::string, double> areas;
+    double volume = 0.0;
     std::string word;
     std::string solid;
     std::vector<Point> corners;
@@ -183,36 +210,29 @@ TEST(MeshFormat, stl_triangles_have_the_patches_areas) {
             const double y = (b.z - a.z) * (c.x - a.x) - (b.x - a.x) * (c.z - a.z);
             const double z = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
             areas[solid] += 0.5 * std::sqrt(x * x + y * y + z * z);
+            volume += (x * a.x + y * a.y + z * a.z) / 6.0;
             corners.clear();
         }
     }
-    for (const CheckedMeasure& area : quality_of(built).areas)
+    const MeshQuality quality = quality_of(built);
+    EXPECT_EQ(areas.size(), quality.areas.size());
+    for (const CheckedMeasure& area : quality.areas)
         EXPECT_NEAR(areas[area.name] / area.value, 1.0, 1e-12) << area.name;
+    EXPECT_NEAR(volume / quality.volume.value, 1.0, 1e-10);
 }
 
 TEST(MeshFormat, openfoam_says_mesh_ok_for_every_kind_extent_and_resolution) {
     if (!is_there("checkMesh"))
         GTEST_SKIP() << "OpenFOAM is not here (apt-get install openfoam)";
     const Folder folder;
-    fs::create_directories(folder.path / "system");
-    const std::string head = "FoamFile{version 2.0;format ascii;class dictionary;object x;}\n";
-    std::ofstream(folder.path / "system/controlDict")
-        << head
-        << "startFrom startTime;startTime 0;stopAt endTime;endTime 1;deltaT 1;writeInterval 1;\n";
-    std::ofstream(folder.path / "system/fvSchemes")
-        << head
-        << "ddtSchemes{}gradSchemes{}divSchemes{}laplacianSchemes{}interpolationSchemes{}"
-           "snGradSchemes{}\n";
-    std::ofstream(folder.path / "system/fvSolution") << head;
+    prepare_check_mesh(folder.path);
     for (const auto& [name, subject] : laboratory_subjects())
         for (const auto extent : {MeshExtent::wedge, MeshExtent::sector, MeshExtent::full})
             for (const int cells : {3, 6, 12}) {
                 const BuiltMesh built =
                     build_mesh(subject, {.cells_across_gap = cells, .extent = extent});
                 write_mesh(built.mesh, folder.path / "", MeshFormat::openfoam);
-                const std::string said = output_of(
-                    fmt::format("cd {0} && WM_PROJECT_DIR=/usr/share/openfoam PWD={0} checkMesh",
-                                folder.path.string()));
+                const std::string said = check_mesh(folder.path);
                 EXPECT_NE(said.find("Mesh OK."), std::string::npos)
                     << name << ' ' << static_cast<int>(extent) << ' ' << cells << '\n'
                     << said;

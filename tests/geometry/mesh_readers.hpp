@@ -51,6 +51,26 @@ inline bool has_meshio() {
     return std::system("/usr/bin/python3 -c 'import meshio' >/dev/null 2>&1") == 0;
 }
 
+/// The least that checkMesh needs beside constant/polyMesh.
+inline void prepare_check_mesh(const fs::path& folder) {
+    fs::create_directories(folder / "system");
+    const std::string head = "FoamFile{version 2.0;format ascii;class dictionary;object x;}\n";
+    std::ofstream(folder / "system/controlDict")
+        << head
+        << "startFrom startTime;startTime 0;stopAt endTime;endTime 1;deltaT 1;writeInterval 1;\n";
+    std::ofstream(folder / "system/fvSchemes")
+        << head
+        << "ddtSchemes{}gradSchemes{}divSchemes{}laplacianSchemes{}interpolationSchemes{}"
+           "snGradSchemes{}\n";
+    std::ofstream(folder / "system/fvSolution") << head;
+}
+
+/// What OpenFOAM's checkMesh says of a prepared folder.
+inline std::string check_mesh(const fs::path& folder) {
+    return output_of(fmt::format("cd {0} && WM_PROJECT_DIR=/usr/share/openfoam PWD={0} checkMesh",
+                                 folder.string()));
+}
+
 using Faces = std::map<std::string, std::vector<std::pair<CellShape, std::vector<std::uint32_t>>>>;
 
 inline void add_patches(const Faces& faces, Mesh& mesh) {
