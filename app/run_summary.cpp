@@ -1,5 +1,6 @@
 #include "app/run_summary.hpp"
 
+#include "app/field_files.hpp"
 #include "app/versions.hpp"
 
 #include <algorithm>
@@ -90,6 +91,9 @@ RunSummary run_summary(const SolvedCase& solved, const std::string& created) {
     if (solved.division)
         summary.mesh = MeshNote{solved.division->degree,
                                 {solved.division->lines.begin(), solved.division->lines.end()}};
+    for (std::string& name : field_file_names(solved.solution.fields))
+        summary.files.push_back(std::move(name));
+    std::sort(summary.files.begin(), summary.files.end());
     if (solved.plan.taylor)
         summary.taylor = TaylorNumbers{.critical_reynolds = solved.plan.taylor->critical_reynolds,
                                        .reynolds = solved.plan.taylor->reynolds,

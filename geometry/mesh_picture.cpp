@@ -13,9 +13,13 @@ namespace {
 
 constexpr double panel_height = 640;
 constexpr double most_panel_width = 560;
+/// A section that would be narrower is stretched across.
+constexpr double least_panel_width = 110;
 constexpr double margin = 24;
 constexpr double title_height = 34;
 constexpr double legend_width = 170;
+/// Widest detail, in gaps.
+constexpr double most_detail = 8.0;
 /// More lines than this are one grey area at any size of screen.
 constexpr std::size_t most_lines = 400'000;
 
@@ -43,9 +47,12 @@ class Panel {
 public:
     Panel(const Mesh& mesh, const Window& window, double x, int number)
         : mesh_{mesh}, window_{window}, x_{x}, number_{number},
-          scale_{std::min(panel_height / window.height, most_panel_width / window.width)} {}
+          scale_{std::min(panel_height / window.height, most_panel_width / window.width)},
+          stretch_{std::max(1.0, least_panel_width / (scale_ * window.width))} {}
 
-    [[nodiscard]] double width() const { return scale_ * window_.width; }
+    [[nodiscard]] double width() const { return scale_ * stretch_ * window_.width; }
+    /// Of lengths across over lengths along; 1: to scale.
+    [[nodiscard]] double stretch() const { return stretch_; }
     [[nodiscard]] double height() const { return scale_ * window_.height; }
     [[nodiscard]] double scale() const { return scale_; }
 
@@ -68,11 +75,13 @@ public:
         return fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" "
                            "fill=\"none\" stroke=\"#c00\" stroke-width=\"1\"/>\n",
                            x_at(other.left), y_at(other.bottom + other.height),
-                           scale_ * other.width, scale_ * other.height);
+                           scale_ * stretch_ * other.width, scale_ * other.height);
     }
 
 private:
-    [[nodiscard]] double x_at(double r) const { return x_ + scale_ * (r - window_.left); }
+    [[nodiscard]] double x_at(double r) const {
+        return x_ + scale_ * stretch_ * (r - window_.left);
+    }
     [[nodiscard]] double y_at(double z) const {
         return title_height + scale_ * (window_.bottom + window_.height - z);
     }
@@ -111,6 +120,7 @@ private:
     double x_;
     int number_;
     double scale_;
+    double stretch_;
 };
 
 Window whole_of(const Mesh& mesh) {
@@ -141,7 +151,8 @@ Window detail_of(const Mesh& mesh, double gap, const Window& whole) {
             if (point.y < lowest.y || (point.y == lowest.y && point.x > lowest.x))
                 lowest = point;
         }
-    const double width = std::min(2.2 * gap, whole.width);
+    // Both gaps of a thin double gap, else one with what is beside it.
+    const double width = whole.width <= most_detail * gap ? whole.width : 2.2 * gap;
     const double height = std::min(1.2 * width, whole.height);
     const double left =
         std::clamp(lowest.x - 0.45 * width, whole.left, whole.left + whole.width - width);
@@ -199,9 +210,14 @@ std::string mesh_picture(const Mesh& section, double gap, const std::string& tit
         "<text x=\"{2}\" y=\"22\" font-size=\"16\">{3}</text>\n",
         width, height, margin, escaped(title));
     text += first.svg() + first.frame(detail) + second.svg() + legend(section, legend_x);
+    const double below = title_height + second.height() + 20;
     text += fmt::format(
-        "<text x=\"{:.1f}\" y=\"{:.1f}\">magnified {:.3g} times; {:.4g} mm wide</text>\n", second_x,
-        title_height + second.height() + 20, second.scale() / first.scale(), detail.width * 1e3);
+        "<text x=\"{:.1f}\" y=\"{:.1f}\">magnified {:.3g} times; {:.4g} mm wide{}"
+        "</text>\n",
+        second_x, below, second.scale() / first.scale(), detail.width * 1e3,
+        first.stretch() > 1.0
+            ? fmt::format("; on the left widths are stretched {:.3g} times", first.stretch())
+            : "");
     return text + "</svg>\n";
 }
 

@@ -33,10 +33,6 @@ public:
         });
         gmsh::model::mesh::generate(3);
         gmsh::model::mesh::removeSizeCallback();
-        for (int pass = 0; pass < 3; ++pass) {
-            gmsh::model::mesh::optimize("Relocate3D");
-            gmsh::model::mesh::optimize("");
-        }
         take_points();
         take_tetrahedra();
         take_surfaces();

@@ -19,6 +19,10 @@ namespace {
 
 using Node = std::uint32_t;
 
+constexpr double widest_thin = 1.0;  ///< rad: wedges up to here have smaller cells near the axis
+constexpr double most_flat = 1.5;    ///< size of a cell over the thickness of the wedge there,
+constexpr double least_share = 0.15; ///< but no smaller than this share of its size elsewhere
+
 /// Puts points of the walls where the outline has them; gmsh's are near them.
 class Placement {
 public:
@@ -211,9 +215,15 @@ Mesh filled_with_tetrahedra(const std::vector<Outline>& outlines, const Triangle
     for (const Outline& outline : outlines) {
         const LocalSize size{outline, sizes};
         FillingAnswer answer;
-        fill({&outline, [&size](const SectionPoint& point) { return size.at(point); },
-              solid.revolved, solid.extent, solid.closed},
-             answer);
+        const auto size_at = [&](const SectionPoint& point) {
+            const double in_section = size.at(point);
+            if (!solid.revolved || solid.extent > widest_thin)
+                return in_section;
+            // Cells much wider in the section than the wedge is thick are flat.
+            const double thickness = solid.extent * point.r;
+            return std::min(in_section, std::max(most_flat * thickness, least_share * in_section));
+        };
+        fill({&outline, size_at, solid.revolved, solid.extent, solid.closed}, answer);
         if (!answer.fault.empty())
             throw MeshError(fmt::format("gmsh could not fill the solid: {}", answer.fault));
         Placement{outline, solid, answer}.place();
