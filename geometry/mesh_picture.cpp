@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <string_view>
 #include <unordered_set>
 #include <vector>
 
@@ -23,9 +24,28 @@ constexpr double most_detail = 8.0;
 /// More lines than this are one grey area at any size of screen.
 constexpr std::size_t most_lines = 400'000;
 
-// Colours that stay apart for colour-blind readers (Okabe and Ito), walls that turn first.
-constexpr std::array patch_colours{"#d55e00", "#0072b2", "#009e73", "#e69f00", "#cc79a7",
-                                   "#56b4e9", "#8c564b", "#000000", "#f0e442", "#7f7f7f"};
+// Colours that stay apart for colour-blind readers (Okabe and Ito). A name has the same colour in
+// every picture; names that are not listed take the last ones in turn.
+struct NamedColour {
+    std::string_view patch;
+    const char* colour;
+};
+constexpr std::array named_colours{
+    NamedColour{"bob", "#d55e00"},          NamedColour{"bob_inner", "#d55e00"},
+    NamedColour{"bob_outer", "#8c564b"},    NamedColour{"bob_cone", "#e69f00"},
+    NamedColour{"bob_edge", "#e69f00"},     NamedColour{"bob_top", "#cc79a7"},
+    NamedColour{"shaft", "#8c564b"},        NamedColour{"cup", "#0072b2"},
+    NamedColour{"cup_floor", "#009e73"},    NamedColour{"post", "#000000"},
+    NamedColour{"free_surface", "#56b4e9"}, NamedColour{"axis", "#000000"},
+    NamedColour{"slice_bottom", "#009e73"}, NamedColour{"slice_top", "#56b4e9"}};
+constexpr std::array further_colours{"#cc79a7", "#8c564b", "#f0e442", "#7f7f7f"};
+
+const char* colour_of(std::string_view patch, std::size_t number) {
+    for (const NamedColour& named : named_colours)
+        if (named.patch == patch)
+            return named.colour;
+    return further_colours[number % further_colours.size()];
+}
 
 struct Window {
     double left{};
@@ -67,7 +87,7 @@ public:
             text += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"3\" "
                                 "stroke-linecap=\"round\"/>\n",
                                 side(mesh_.patches[patch]),
-                                patch_colours[patch % patch_colours.size()]);
+                                colour_of(mesh_.patches[patch].name, patch));
         return text + "</g>\n";
     }
     /// The rectangle that another window covers here.
@@ -186,7 +206,7 @@ std::string legend(const Mesh& mesh, double x) {
         const double y = title_height + 14 + 22 * static_cast<double>(patch);
         text += fmt::format("<path d=\"M{:.1f} {:.1f}h24\" stroke=\"{}\" stroke-width=\"4\"/>"
                             "<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
-                            x, y, patch_colours[patch % patch_colours.size()], x + 32, y + 5,
+                            x, y, colour_of(mesh.patches[patch].name, patch), x + 32, y + 5,
                             escaped(mesh.patches[patch].name));
     }
     return text;
