@@ -2,6 +2,7 @@
 
 #include "geometry/cell_shapes.hpp"
 #include "geometry/curved_faces.hpp"
+#include "geometry/measure_allowance.hpp"
 #include "geometry/mesh_faces.hpp"
 #include "geometry/sweep.hpp"
 #include "geometry/vector3.hpp"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 
 namespace searle::geometry {
@@ -111,80 +111,6 @@ void compare_measures(const BuiltMesh& built, const Mesh& solid, bool is_section
         quality.volume.value = enclosed;
 }
 
-/// What the curved triangles that end on the axis may add to a patch's area, of the whole of it:
-/// their segments between chord and parabola.
-double tip_allowance(const BuiltMesh& built, const std::string& name) {
-    const Patch* const patch = built.mesh.patch(name);
-    if (built.choices.order == 1 || built.choices.angular_cells == 0 || patch == nullptr)
-        return 0.0;
-    double tips = 0.0;
-    double all = 0.0;
-    for (std::size_t face = patch->first; face < patch->first + patch->count; ++face) {
-        const auto corners = built.mesh.faces.corners(face);
-        MeshFace flat;
-        std::copy(corners.begin(), corners.end(), flat.corners.begin());
-        const double area = length(face_geometry(built.mesh, flat).area);
-        const bool has_tip = std::any_of(corners.begin(), corners.end(), [&](std::uint32_t node) {
-            return built.mesh.points[node].x == 0.0 && built.mesh.points[node].y == 0.0;
-        });
-        all += area;
-        tips += has_tip ? area : 0.0;
-    }
-    const double cell = built.choices.angle / built.choices.angular_cells;
-    return tips / all * (1.0 - std::cos(0.5 * cell));
-}
-
-/// What straight faces between points of round walls may miss.
-struct ChordAllowance {
-    double volume{};                     ///< m^3
-    std::map<std::string, double> areas; ///< m^2, by patch
-};
-
-/// Tetrahedra have chords of all directions, so there is no closed form: between a face and its
-/// wall there is at most the face's area times its sagitta, radius (1 - cos(half its angle)), and
-/// beside each edge on a circle at most the edge's length times its own.
-ChordAllowance chord_allowance(const Mesh& mesh) {
-    ChordAllowance allowance;
-    const auto angle_between = [&](std::uint32_t one, std::uint32_t two) {
-        const Point& a = mesh.points[one];
-        const Point& b = mesh.points[two];
-        return std::abs(std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y));
-    };
-    const auto radius_of = [&](std::uint32_t node) {
-        return std::hypot(mesh.points[node].x, mesh.points[node].y);
-    };
-    for (const Patch& patch : mesh.patches) {
-        double& area = allowance.areas[patch.name];
-        std::map<std::array<std::uint32_t, 2>, int> edges;
-        for (std::size_t face = patch.first; face < patch.first + patch.count; ++face) {
-            const auto corners = mesh.faces.corners(face);
-            MeshFace flat;
-            std::copy(corners.begin(), corners.end(), flat.corners.begin());
-            const double size = length(face_geometry(mesh, flat).area);
-            double angle = 0.0;
-            double radius = 0.0;
-            for (std::size_t at = 0; at < corners.size(); ++at) {
-                const std::uint32_t one = corners[at];
-                const std::uint32_t two = corners[(at + 1) % corners.size()];
-                angle = std::max(angle, angle_between(one, two));
-                radius = std::max(radius, radius_of(one));
-                ++edges[{std::min(one, two), std::max(one, two)}];
-            }
-            if (patch.kind == PatchKind::periodic)
-                continue;
-            allowance.volume += size * radius * (1.0 - std::cos(0.5 * angle));
-            area += size * (1.0 - std::cos(0.5 * angle));
-        }
-        for (const auto& [edge, count] : edges)
-            if (count == 1) {
-                const double angle = angle_between(edge[0], edge[1]);
-                area += length(mesh.points[edge[1]] - mesh.points[edge[0]]) * radius_of(edge[0]) *
-                        (1.0 - std::cos(0.5 * angle));
-            }
-    }
-    return allowance;
-}
-
 void judge(const BuiltMesh& built, MeshQuality& quality) {
     const auto fault = [&quality](std::string text) { quality.faults.push_back(std::move(text)); };
     if (quality.inverted > 0)
@@ -202,22 +128,18 @@ void judge(const BuiltMesh& built, MeshQuality& quality) {
                           quality.largest_non_orthogonality));
     if (!(quality.largest_skewness <= most_skewness))
         fault(fmt::format("the largest skewness is {:.3g}", quality.largest_skewness));
-    const bool is_filled = built.domain.revolved && built.mesh.dimension == 3 &&
-                           built.choices.cells == CellStyle::tetrahedra;
-    const ChordAllowance chords = is_filled ? chord_allowance(built.mesh) : ChordAllowance{};
-    const auto chord_share = [&](const CheckedMeasure& area) {
-        const auto found = chords.areas.find(area.name);
-        return found == chords.areas.end() ? 0.0 : found->second / area.exact;
-    };
+    const MeasureAllowance allowance = measure_allowance(built);
     if (!(std::abs(quality.volume.error()) <=
-          most_measure_error + chords.volume / quality.volume.exact))
+          most_measure_error + allowance.volume / quality.volume.exact))
         fault(fmt::format("the volume differs by {:.2g} from the closed form",
                           quality.volume.error()));
-    for (const CheckedMeasure& area : quality.areas)
-        if (!(std::abs(area.error()) <=
-              most_measure_error + tip_allowance(built, area.name) + chord_share(area)))
+    for (const CheckedMeasure& area : quality.areas) {
+        const auto found = allowance.areas.find(area.name);
+        const double more = found == allowance.areas.end() ? 0.0 : found->second / area.exact;
+        if (!(std::abs(area.error()) <= most_measure_error + more))
             fault(fmt::format("the area of {} differs by {:.2g} from the closed form", area.name,
                               area.error()));
+    }
 }
 
 } // namespace
