@@ -14,7 +14,10 @@ namespace {
 
 constexpr OutlineEdge wall(const char* name) { return {name, PatchKind::wall, ""}; }
 
+/// Only structured cells are known to be one high.
 PatchKind end_kind(const MeshSettings& settings) {
+    if (settings.cells.value_or(CellStyle::hexahedra) != CellStyle::hexahedra)
+        return PatchKind::end_face;
     return settings.axial_cells.value_or(0) == 1 ||
                    (settings.slice_height && settings.axial_cells.value_or(1) == 1)
                ? PatchKind::flat

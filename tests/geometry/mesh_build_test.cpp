@@ -171,6 +171,19 @@ TEST(MeshBuild, a_slice_is_one_cell_high_and_flat) {
     EXPECT_DOUBLE_EQ(built.domain.slice.factor(), 42.0);
 }
 
+TEST(MeshBuild, a_slice_of_triangles_is_not_flat) {
+    for (const CellStyle style : {CellStyle::prisms, CellStyle::tetrahedra})
+        try {
+            const BuiltMesh built =
+                build_mesh(ConcentricCylinders{14e-3, 15e-3, 42e-3},
+                           {.cells_across_gap = 2, .slice_height = 1e-3, .cells = style});
+            EXPECT_TRUE(quality_of(built).faults.empty());
+            EXPECT_EQ(built.mesh.patch("slice_top")->kind, PatchKind::end_face);
+        } catch (const MeshToolMissing& missing) {
+            GTEST_SKIP() << missing.what();
+        }
+}
+
 TEST(MeshBuild, a_double_gap_can_be_joined_under_its_rotor) {
     const BuiltMesh built = build_mesh(DoubleGap{{20e-3, 20.38e-3, 21.96e-3, 22.38e-3}, 55e-3},
                                        {.cells_across_gap = 5, .floor_clearance = 3e-3});
