@@ -91,6 +91,8 @@ RunSummary run_summary(const SolvedCase& solved, const std::string& created) {
     if (solved.division)
         summary.mesh = MeshNote{solved.division->degree,
                                 {solved.division->lines.begin(), solved.division->lines.end()}};
+    if (!solved.ends.empty())
+        summary.files.emplace_back("end_factor.csv");
     for (std::string& name : field_file_names(solved.solution.fields))
         summary.files.push_back(std::move(name));
     std::sort(summary.files.begin(), summary.files.end());

@@ -1,6 +1,6 @@
 #include "app/solved_case.hpp"
 
-#include "solvers/axisymmetric/axisymmetric_solver.hpp"
+#include "solvers/meridional/bob_solver.hpp"
 
 #include <fmt/format.h>
 
@@ -67,16 +67,18 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
                       .division = {},
                       .conversion = {},
                       .rheogram = {},
+                      .ends = {},
                       .clock = std::move(planned.clock)};
     const solvers::Scene& scene = solved.source.scene;
     std::vector<double> end_factors;
     if (solved.plan.model == "axisymmetric") {
         solvers::axisymmetric::AxisymmetricReport report =
-            solvers::axisymmetric::solve_axisymmetric(scene, solved.plan, progress);
+            solvers::meridional::solve_bob(scene, solved.plan, progress);
         solved.solution = std::move(report.solution);
         end_factors = std::move(report.end_factor);
         if (!report.division.lines.front().empty())
             solved.division = std::move(report.division);
+        solved.ends = std::move(report.ends);
     } else {
         solved.solution = solvers::radial::solve_radial(scene, solved.plan, progress);
     }

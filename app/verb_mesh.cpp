@@ -3,6 +3,7 @@
 #include "app/case_reader.hpp"
 #include "app/exit_code.hpp"
 #include "app/mesh_table.hpp"
+#include "app/no_size_signal.hpp"
 #include "app/picture_file.hpp"
 #include "casefile/nearest_name.hpp"
 #include "geometry/mesh_error.hpp"
@@ -101,6 +102,7 @@ int mesh(const MeshOptions& options) {
         throw geometry::MeshError("--drawing is for instruments; the --preview of a profile shows "
                                   "its outline");
     const geometry::BuiltMesh built = geometry::build_mesh(subject, scene.mesh);
+    const NoSizeSignal no_signal;
     const std::vector<std::string> losses =
         geometry::write_mesh(built.mesh, options.output, format);
     if (!options.quiet)

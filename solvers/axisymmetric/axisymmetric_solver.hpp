@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rheometry/end_effect.hpp"
 #include "solvers/axisymmetric/section_mesh.hpp"
 #include "solvers/plan.hpp"
 #include "solvers/progress.hpp"
@@ -17,6 +18,8 @@ struct AxisymmetricReport {
     std::vector<double> end_factor;
     /// Of the mesh that the torques come from; without lines when every row is at rest.
     SectionDivision division;
+    /// The same with errors and bounds, of the rows that turn.
+    std::vector<rheometry::EndEffect> ends;
 };
 
 /// Torque history of a DIN bob with its ends, swirl only: steady rows of any flow law, and a

@@ -3,6 +3,7 @@
 #include "geometry/din_bob.hpp"
 #include "laws/flow/flow_law.hpp"
 #include "rheometry/speed_history.hpp"
+#include "solvers/axisymmetric/section_mesh.hpp"
 #include "solvers/progress.hpp"
 
 #include <string>
@@ -19,8 +20,9 @@ struct TransientTorque {
     bool reached{};                ///< all rows are there, each as accurate as was asked
     bool interrupted{};
     int levels{};
-    int elements{};  ///< of the finest level
-    long unknowns{}; ///< of the finest level
+    int elements{};                         ///< of the finest level
+    long unknowns{};                        ///< of the finest level
+    axisymmetric::SectionDivision division; ///< of the finest level
     long time_steps{};
     long linear_solves{}; ///< over all levels
     std::string stopped;  ///< why the rows end early; empty where they do not
@@ -28,6 +30,8 @@ struct TransientTorque {
 
 /// Runs the history on finer and finer levels, in space and in time together, until two of them
 /// agree to the accuracy (docs/secondary-flow.md).
+/// @param law       without a yield stress: a rounded yield surface would be no answer while the
+///                  rotor is slow
 /// @param density   kg/m^3, > 0
 /// @param accuracy  asked-for relative error of the torque, > 0
 [[nodiscard]] TransientTorque

@@ -72,7 +72,7 @@ TEST_F(MeshVerb, draws_preview_and_dimensions) {
                                   "--preview", "p.svg", "--drawing", "d.svg", "--quiet"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_TRUE(holds(text_of(folder / "p.svg"), "bob_cone"));
-    EXPECT_TRUE(holds(text_of(folder / "d.svg"), "42 mm"));
+    EXPECT_TRUE(holds(text_of(folder / "d.svg"), "42\u00a0mm"));
 }
 
 TEST_F(MeshVerb, refuses_bad_requests_in_one_message_and_leaves_nothing) {
@@ -108,11 +108,14 @@ TEST_F(MeshVerb, a_place_that_takes_no_files_is_named_as_it_was_given) {
 }
 
 TEST_F(MeshVerb, a_full_disk_leaves_no_half_mesh) {
-    const Outcome outcome = run({.arguments = {"mesh", water, "-o", "a.msh"},
-                                 .directory = folder.path(),
-                                 .file_size_limit = 4096});
-    EXPECT_NE(outcome.exit_code, 0);
-    EXPECT_EQ(names_in(folder.path()), "");
+    for (const char* target : {"a.msh", "a.vtu", "a/", "a/b/"}) {
+        const Outcome outcome = run({.arguments = {"mesh", water, "-o", target},
+                                     .directory = folder.path(),
+                                     .file_size_limit = 4096});
+        EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+        EXPECT_TRUE(holds(outcome.err, "File too large")) << outcome.err;
+        EXPECT_EQ(names_in(folder.path()), "") << target;
+    }
 }
 
 TEST_F(MeshVerb, a_missing_meshio_says_how_to_get_it) {
