@@ -38,7 +38,7 @@ const std::map<std::string, std::set<std::string>> third_party{
     {"udunits2", {"casefile/unit.cpp"}},
     {"freexl", {"rheometry/tables/spreadsheet.cpp"}},
     {"CLI/", {"app/command_line.cpp"}},
-    {"gmsh.h", {"geometry/gmsh_module/module.cpp"}},
+    {"gmsh.h", {"geometry/gmsh_module/module.cpp", "geometry/gmsh_module/filling.cpp"}},
     {"CGAL/", {"geometry/outline_check.cpp"}},
     {"nlohmann",
      {"app/fit_as_json.cpp", "app/mesh_table.cpp", "app/ends_as_json.cpp", "app/plan_as_json.cpp",
