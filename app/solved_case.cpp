@@ -66,6 +66,7 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
                       .solution = {},
                       .conversion = {},
                       .rheogram = {},
+                      .ends = {},
                       .clock = std::move(planned.clock)};
     const solvers::Scene& scene = solved.source.scene;
     std::vector<double> end_factors;
@@ -74,6 +75,7 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
             solvers::meridional::solve_bob(scene, solved.plan, progress);
         solved.solution = std::move(report.solution);
         end_factors = std::move(report.end_factor);
+        solved.ends = std::move(report.ends);
     } else {
         solved.solution = solvers::radial::solve_radial(scene, solved.plan, progress);
     }
