@@ -3,7 +3,6 @@
 #include "solvers/meridional/flow_system.hpp"
 
 #include <array>
-#include <cstdio>
 #include <cmath>
 #include <complex>
 #include <functional>
@@ -11,18 +10,19 @@
 
 namespace searle::solvers::meridional {
 
-/// viscosity = low + (1 - low) (1 + rate^2)^((n - 1)/2): smooth at rest, so that nothing but the
-/// elements limits the order of convergence.
+/// viscosity = low + (1 - low) (1 + (rate / knee)^2)^((n - 1)/2): smooth at rest, so that nothing
+/// but the elements limits the order of convergence.
 class SmoothThinning final : public axisymmetric::EnergyDensity {
 public:
-    SmoothThinning(double low, double n) : low_(low), n_(n) {}
+    SmoothThinning(double low, double n, double knee = 1.0) : low_(low), n_(n), knee_(knee) {}
     [[nodiscard]] double viscosity(double rate) const {
-        return low_ + (1.0 - low_) * std::pow(1.0 + rate * rate, 0.5 * (n_ - 1.0));
+        return low_ +
+               (1.0 - low_) * std::pow(1.0 + rate * rate / (knee_ * knee_), 0.5 * (n_ - 1.0));
     }
     void slopes(const Eigen::ArrayXd& rate, Eigen::ArrayXd& secant,
                 Eigen::ArrayXd& tangent) const override {
         for (Eigen::Index k = 0; k < rate.size(); ++k) {
-            const double square = rate[k] * rate[k];
+            const double square = rate[k] * rate[k] / (knee_ * knee_);
             secant[k] = viscosity(rate[k]);
             tangent[k] = secant[k] + (1.0 - low_) * (n_ - 1.0) * square *
                                          std::pow(1.0 + square, 0.5 * (n_ - 3.0));
@@ -32,12 +32,13 @@ public:
 private:
     double low_;
     double n_;
+    double knee_;
 };
 
 /// An exact flow without divergence, and the body force (per unit volume, over stress scale / bob
 /// radius) that drives it. The force is the STRONG form of momentum in cylinder coordinates with
-/// v = r Omega, whose stress is differentiated by central differences of eighth order (velocities by
-/// complex steps); it shares nothing with the weak form of FlowSystem.
+/// v = r Omega, whose stress is differentiated by central differences of eighth order (velocities
+/// by complex steps); it shares nothing with the weak form of FlowSystem.
 class ManufacturedFlow {
 public:
     using Complex = std::complex<double>;
@@ -66,9 +67,9 @@ public:
         const double spin_r = s.along_r[2] * r; // r d(v/r)/dr
         const double spin_z = s.along_z[2] * r; // dv/dz
         const double shear = s.along_z[0] + s.along_r[1];
-        const double rate = std::sqrt(2.0 * (s.along_r[0] * s.along_r[0] + hoop * hoop +
-                                             s.along_z[1] * s.along_z[1]) +
-                                      shear * shear + spin_r * spin_r + spin_z * spin_z);
+        const double rate = std::sqrt(
+            2.0 * (s.along_r[0] * s.along_r[0] + hoop * hoop + s.along_z[1] * s.along_z[1]) +
+            shear * shear + spin_r * spin_r + spin_z * spin_z);
         const double eta = law_.viscosity(rate);
         return {.rr = 2.0 * eta * s.along_r[0],
                 .tt = 2.0 * eta * hoop,

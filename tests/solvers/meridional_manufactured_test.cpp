@@ -26,7 +26,7 @@ std::array<Complex, 3> vortices(Complex r, Complex z) {
     constexpr double pi = std::numbers::pi;
     const Complex g = (r - 1.0) * (2.0 - r);
     const Complex slope = 2.0 * g * (3.0 - 2.0 * r) * r + g * g;
-    return {-6.0 * pi * g * g * std::cos(pi * z), 6.0 * slope / r * std::sin(pi * z),
+    return {-3.0 * pi * g * g * std::cos(pi * z), 3.0 * slope / r * std::sin(pi * z),
             (2.0 - r) / r + 0.7 * std::sin(2.0 * r) * std::cos(pi * z)};
 }
 double pressure_of_vortices(double r, double z) {
@@ -103,10 +103,9 @@ Errors solve(const axisymmetric::SectionMesh& mesh, int degree, const Manufactur
             const double r = element.radius[q];
             const double z = swirl[e].height[q];
             const auto right = exact.velocity(r, z);
-            velocity +=
-                element.weight[q] * (std::pow(at_points(q, 0) - right[0], 2) +
-                                     std::pow(at_points(q, 1) - right[1], 2) +
-                                     std::pow(r * (at_points(q, 2) - right[2]), 2));
+            velocity += element.weight[q] * (std::pow(at_points(q, 0) - right[0], 2) +
+                                             std::pow(at_points(q, 1) - right[1], 2) +
+                                             std::pow(r * (at_points(q, 2) - right[2]), 2));
             pressure_off.push_back(pressure[q] - exact.pressure(r, z));
             pressure_weight.push_back(element.weight[q]);
             pressure_mean += element.weight[q] * pressure_off.back();
@@ -122,9 +121,9 @@ Errors solve(const axisymmetric::SectionMesh& mesh, int degree, const Manufactur
 }
 
 using enum axisymmetric::Boundary;
-constexpr std::array<int, 3> cells{4, 8, 16};
+constexpr std::array<int, 3> cells{3, 6, 12};
 
-double order(const std::vector<Errors>& errors, std::size_t k, double Errors::* of) {
+double order(const std::vector<Errors>& errors, std::size_t k, double Errors::*of) {
     return std::log2(std::abs(errors[k - 1].*of / (errors[k].*of)));
 }
 
@@ -138,17 +137,13 @@ TEST_P(ManufacturedSecondaryFlow, errors_fall_with_the_orders_of_the_elements_up
     std::vector<Errors> errors;
     for (const int each : cells) {
         // A sloping floor, as under a cone.
-        const auto height = [](double r, double share) {
-            return (1.0 - share) * (-1.0 + 0.3 * r);
-        };
+        const auto height = [](double r, double share) { return (1.0 - share) * (-1.0 + 0.3 * r); };
         errors.push_back(solve(patch(0.0, 1.0, each, height,
                                      {.bottom = cup_wall,
                                       .top = free_surface,
                                       .left = symmetry_axis,
                                       .right = cup_wall}),
                                degree, exact, law));
-        std::printf("axis k=%d cells %d: v %.3e p %.3e\n", degree, each, errors.back().velocity,
-                    errors.back().pressure);
     }
     EXPECT_NEAR(order(errors, 2, &Errors::velocity), degree + 1, 0.35);
     EXPECT_NEAR(order(errors, 2, &Errors::pressure), degree, 0.35);
@@ -156,7 +151,7 @@ TEST_P(ManufacturedSecondaryFlow, errors_fall_with_the_orders_of_the_elements_up
 
 TEST_P(ManufacturedSecondaryFlow, torque_is_twice_as_accurate_as_the_slope_at_the_wall) {
     const int degree = GetParam();
-    const SmoothThinning law(0.2, 0.4);
+    const SmoothThinning law(0.2, 0.4, 4.0);
     const ManufacturedFlow exact(vortices, pressure_of_vortices, law, reynolds, growth);
     ASSERT_NEAR(exact.divergence(1.3, -0.4), 0.0, 1e-13);
     // By the rotor on the fluid, whose outer normal there is -r: - int r^2 tau_r_theta dz.
@@ -177,8 +172,6 @@ TEST_P(ManufacturedSecondaryFlow, torque_is_twice_as_accurate_as_the_slope_at_th
                                       .right = cup_wall}),
                                degree, exact, law));
         errors.back().torque -= torque;
-        std::printf("gap k=%d cells %d: v %.3e p %.3e M %.3e\n", degree, each,
-                    errors.back().velocity, errors.back().pressure, errors.back().torque);
     }
     EXPECT_NEAR(order(errors, 2, &Errors::velocity), degree + 1, 0.35);
     EXPECT_NEAR(order(errors, 2, &Errors::pressure), degree, 0.35);

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 namespace searle::solvers::meridional {
@@ -57,10 +56,8 @@ TEST(FlowStepper, velocity_has_order_four_in_time) {
     std::vector<double> steps;
     for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
         const End end = run(tolerance);
-        error.push_back(
-            (end.state.velocity - exact.state.velocity).cwiseAbs().maxCoeff());
+        error.push_back((end.state.velocity - exact.state.velocity).cwiseAbs().maxCoeff());
         steps.push_back(static_cast<double>(end.steps));
-        std::printf("tolerance %g: %g steps, error %.3e\n", tolerance, steps.back(), error.back());
         EXPECT_LT(error.back(), 3.0 * tolerance);
     }
     EXPECT_NEAR(std::log(error[1] / error[2]) / std::log(steps[2] / steps[1]), 4.0, 0.5);
@@ -89,7 +86,6 @@ TEST(FlowStepper, torque_between_the_ends_of_a_step_has_order_three) {
         const double time = 1.0 + 0.3 * step; // no place of symmetry
         const double exact = torque_at(0.3 * step, time, 1e-9);
         error.push_back(std::abs(torque_at(step, time, 1e-3) / exact - 1.0));
-        std::printf("step %g: torque error %.3e\n", step, error.back());
     }
     EXPECT_GT(std::log2(error[1] / error[2]), 2.5);
     EXPECT_LT(error[2], 1e-5);
@@ -97,13 +93,13 @@ TEST(FlowStepper, torque_between_the_ends_of_a_step_has_order_three) {
 
 /// d/dt of the fluid's angular momentum is the rotor's torque less the cup's, with convection.
 TEST(FlowStepper, torques_of_rotor_and_cup_differ_by_what_the_fluid_takes_up) {
-    FlowLevel level(iso_bob, {.degree = 6, .smallest = 0.1, .largest = 0.5, .beside = 8.0});
+    FlowLevel level(iso_bob, {.degree = 4, .smallest = 0.1, .largest = 0.5, .beside = 8.0});
     const ScaledFluid fluid = fluid_of_150();
     const FlowMaterial material = fluid.material();
-    constexpr double middle = 1.5;
+    constexpr double middle = 1.0;
     constexpr double apart = 0.01;
     FlowStepper stepper(level.system(), material, rest(level.space()),
-                        {.tolerance = 1e-6, .first_step = 1e-3});
+                        {.tolerance = 1e-5, .first_step = 1e-3});
     stepper.begin({.start_time = 0.0, .speed = 0.0, .acceleration = 0.5});
     std::vector<FlowState> state;
     double rotor = 0.0;
@@ -126,8 +122,6 @@ TEST(FlowStepper, torques_of_rotor_and_cup_differ_by_what_the_fluid_takes_up) {
         }
     }
     const double taken_up = inertia.col(rotation).sum();
-    std::printf("rotor %.8g cup %.8g dL/dt %.8g off %.3e\n", rotor, cup, taken_up,
-                (rotor + cup - taken_up) / rotor);
     EXPECT_GT(taken_up, 0.3 * rotor);
     EXPECT_NEAR(rotor + cup, taken_up, 2e-4 * rotor);
 }
@@ -150,9 +144,10 @@ TEST(FlowStepper, a_long_hold_ends_in_the_steady_flow) {
 }
 
 /// Speeds a thousand times lower than those of the ramp of water 0 -> 100 1/s in 35 s: secondary
-/// flow, of the order of the speed squared, vanishes, and the torque over the speed is that of swirl
-/// alone: 1.53, 1.117 and 1.010 times the viscosity at 1, 5, 35 s (an independent axisymmetric
-/// computation, to the digits given), and that of the swirl solver with its own reduced system.
+/// flow, of the order of the speed squared, vanishes, and the torque over the speed is that of
+/// swirl alone: 1.53, 1.117 and 1.010 times the viscosity at 1, 5, 35 s (an independent
+/// axisymmetric computation, to the digits given), and that of the swirl solver with its own
+/// reduced system.
 TEST(TransientSecondaryFlow, slow_ramp_is_the_ramp_of_swirl_alone) {
     const geometry::DinBob bob{0.014, 0.0152};
     const double rate_per_speed = 12.187215;

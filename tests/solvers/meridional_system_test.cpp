@@ -110,8 +110,7 @@ TEST(FlowLevel, creeping_flow_has_the_known_end_factor) {
     EXPECT_NEAR(torque / (3.0 * 2.0 * square / (square - 1.0)), 1.08868, 5e-6);
     // It is swirl alone, and it solves the full equations without inertia.
     EXPECT_EQ(level.state().velocity.leftCols(2).cwiseAbs().maxCoeff(), 0.0);
-    EXPECT_LT(unbalance(level.space(),
-                        level.system().residual(level.state(), fluid.material(0.0))),
+    EXPECT_LT(unbalance(level.space(), level.system().residual(level.state(), fluid.material(0.0))),
               1e-10);
 }
 
@@ -133,11 +132,11 @@ TEST(FlowLevel, first_correction_of_the_torque_goes_with_the_square_of_the_speed
     EXPECT_NEAR(at_8 / at_4, 4.0, 0.02);
 }
 
-/// What the rotor gives the fluid the cup takes, however coarse the elements; and in a finer level
-/// the more exactly, since then less of the flow's divergence is left.
+/// What the rotor gives the fluid the cup takes, but for the angular momentum that what is left of
+/// the flow's divergence makes: the less, the higher the degree.
 TEST(FlowLevel, rotor_and_cup_have_opposite_torques_in_steady_flow) {
     std::vector<double> imbalance;
-    for (const int degree : {4, 6, 8}) {
+    for (const int degree : {4, 6}) {
         FlowLevel level(iso_bob,
                         {.degree = degree, .smallest = 5e-2, .largest = 0.5, .beside = 4.0});
         const ScaledFluid fluid(flow::Newtonian{1.0}, 147.0, 1.0, 1.0, 1.0, 1e-5);
@@ -153,33 +152,40 @@ TEST(FlowLevel, rotor_and_cup_have_opposite_torques_in_steady_flow) {
         const double rotor = rotor_torque(level.space(), residual);
         EXPECT_LT(cup, 0.0);
         imbalance.push_back(std::abs(rotor + cup) / rotor);
-        std::printf("imbalance degree %d: %.3e\n", degree, imbalance.back());
     }
-    EXPECT_LT(imbalance.back(), 1e-6);
+    // Observed: 1.3e-5, 2.3e-7, 4e-9.
+    EXPECT_LT(imbalance[0], 3e-5);
+    EXPECT_LT(imbalance[1], 0.05 * imbalance[0]);
 }
 
-/// Convergence with the resolution at the speeds of the bench (omega R^2 / nu), each level against a
-/// finer one.
-TEST(FlowLevel, steady_torque_converges_with_the_resolution) {
-    for (const double reynolds : {147.0, 1466.0}) {
-        std::vector<double> factor;
-        for (const int degree : {4, 5, 6, 8, 10}) {
+/// Errors fall with the degree, by what the finer levels say: at omega R^2 / nu = 147 the factor is
+/// 1.0165188 and at 1466 1.172675 (degrees 8 and 10 agree to these digits).
+TEST(FlowLevel, steady_torque_converges_with_the_degree) {
+    struct Case {
+        double reynolds;
+        double limit;
+        std::vector<double> allowed; // twice the error observed, at degrees 4, 5
+    };
+    for (const Case& each :
+         {Case{147.0, 1.0165188, {1e-5, 1e-6}}, Case{1466.0, 1.172675, {3.2e-4, 3.2e-5}}}) {
+        double before = 1.0;
+        for (const int degree : {4, 5}) {
             FlowLevel level(iso_bob,
                             {.degree = degree, .smallest = 2e-2, .largest = 0.5, .beside = 2.0});
-            for (const double share : {0.1, 0.25, 0.5, 1.0}) {
-                static_cast<void>(share);
-            }
-            const ScaledFluid fluid(flow::Newtonian{1.0}, reynolds, 1.0, 1.0, 1.0, 1e-5);
+            const ScaledFluid fluid(flow::Newtonian{1.0}, each.reynolds, 1.0, 1.0, 1.0, 1e-5);
             ASSERT_TRUE(level.solve_creeping(fluid.material(0.0).law, 1e-20));
             const double creeping = level.steady_torque(fluid.material(0.0));
-            for (const double share : {0.04, 0.1, 0.25, 0.5, 1.0}) {
-                if (share * reynolds > 50.0 || share == 1.0) {
-                    ASSERT_TRUE(level.solve_steady(fluid.material(share), 1e-9))
+            for (const double share : {0.1, 0.25, 0.5, 1.0}) {
+                if (share * each.reynolds > 100.0) {
+                    ASSERT_TRUE(level.solve_steady(fluid.material(share), 1e-8))
                         << degree << ' ' << share;
                 }
             }
-            factor.push_back(level.steady_torque(fluid.material()) / creeping);
-            std::printf("Re %g degree %d: %.9f\n", reynolds, degree, factor.back());
+            const double error =
+                std::abs(level.steady_torque(fluid.material()) / creeping - each.limit);
+            EXPECT_LT(error, each.allowed[static_cast<std::size_t>(degree - 4)]);
+            EXPECT_LT(error, 0.2 * before);
+            before = error;
         }
     }
 }
