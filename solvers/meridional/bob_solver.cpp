@@ -86,12 +86,17 @@ void apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& rep
     InertiaFactorCurve curve(bob, scene.fluid.law, scene.fluid.density, speeds,
                              factor_share * scene.solver.accuracy, progress);
     double largest = 1.0;
+    double slowest_failure = 0.0;
     for (std::size_t k = 0; k < rows.size(); ++k) {
         if (rows[k].speed == 0.0) {
             continue;
         }
         const InertiaFactor found = curve.at(rows[k].speed);
         largest = std::max(largest, found.factor);
+        if (found.levels == 0) {
+            const double speed = std::abs(rows[k].speed);
+            slowest_failure = slowest_failure > 0.0 ? std::min(slowest_failure, speed) : speed;
+        }
         report.end_factor[k] *= found.factor;
         rows[k].steady_torque *= found.factor;
         if (fills_torque) {
@@ -113,6 +118,12 @@ void apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& rep
                     "the flow with inertia).",
                     largest, curve.solutions(), curve.solutions() == 1 ? "" : "s"));
     note_stability(plan, curve, solution);
+    if (slowest_failure > 0.0) {
+        solution.notes.push_back(
+            fmt::format("No steady secondary flow was found at {:.4g} rad/s, nor at any faster row "
+                        "with an error of 100 %: those torques are creeping ones.",
+                        slowest_failure));
+    }
 }
 
 /// Fills the rows from a run in time.

@@ -30,6 +30,11 @@ constexpr double first_yield_rounding = 2e-2;
 constexpr double smooth_rounding = 1e-5;    ///< of laws without a yield stress, at rest
 constexpr double creeping_tolerance = 1e-4; ///< of the energy, over the accuracy
 constexpr double newton_share = 0.1;        ///< of the accuracy that Newton's method may leave
+/// What is left of both iterations in the torque, of the accuracy: an estimate from levels does not
+/// see it where inertia is so weak that it is all there is.
+constexpr double iteration_share = 1e-3;
+/// A thickening fluid's Reynolds number may not fall with the speed.
+constexpr int most_halvings = 40;
 
 } // namespace
 
@@ -110,6 +115,19 @@ bool SteadySecondaryFlow::follow(std::size_t index, double from, double to) {
     return true;
 }
 
+bool SteadySecondaryFlow::follow_inertia(std::size_t index, double speed) {
+    const ScaledFluid fluid = fluid_at(speed, index);
+    creep(index, speed);
+    double share = std::min(1.0, easy_reynolds / fluid.reynolds());
+    while (level(index).flow->solve_steady(fluid.material(share), newton_share * accuracy_)) {
+        if (share == 1.0) {
+            return true;
+        }
+        share = std::min(1.0, longest_stride * share);
+    }
+    return false;
+}
+
 bool SteadySecondaryFlow::reach(std::size_t index, double speed) {
     FlowLevel& flow = *level(index).flow;
     if (speed_of_first_ && index == first_level_ && *speed_of_first_ <= speed &&
@@ -118,7 +136,10 @@ bool SteadySecondaryFlow::reach(std::size_t index, double speed) {
     }
     // From the creeping flow at a speed where that is near.
     double slow = speed;
-    while (fluid_at(slow, index).reynolds() > easy_reynolds) {
+    for (int halving = 0; fluid_at(slow, index).reynolds() > easy_reynolds; ++halving) {
+        if (halving == most_halvings) {
+            return follow_inertia(index, speed);
+        }
         slow *= 0.5;
     }
     const ScaledFluid fluid = fluid_at(slow, index);
@@ -173,6 +194,7 @@ InertiaFactor SteadySecondaryFlow::at(double speed, const ProgressSink& progress
             result.relative_error = share * change;
             change_before = change;
         }
+        result.relative_error += iteration_share * accuracy_;
         before = factor;
         result.reached = result.relative_error <= accuracy_;
         if (result.reached) {

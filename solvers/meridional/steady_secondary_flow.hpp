@@ -18,9 +18,10 @@ struct InertiaFactor {
     /// Torque with (u_r, u_z) over the torque of the creeping flow of the same fluid at the same
     /// speed, >= 1 in practice; 1 without inertia.
     double factor = 1.0;
-    double relative_error{}; ///< estimate, from levels of resolution
-    bool reached{};          ///< as accurate as was asked
-    int levels{};
+    /// Estimate, from levels of resolution; 1 where no level holds the flow, `factor` is 1 then.
+    double relative_error = 1.0;
+    bool reached{};  ///< as accurate as was asked
+    int levels{};    ///< that were solved; 0: none
     long unknowns{}; ///< of the finest level
 };
 
@@ -59,6 +60,9 @@ private:
     /// The state of a level goes from one speed to another in as few steps as Newton's method
     /// allows; false where it gets stuck.
     bool follow(std::size_t level, double from, double to);
+    /// The level's state goes from the creeping flow at a speed to the flow there, through shares
+    /// of its inertia; false where it gets stuck.
+    bool follow_inertia(std::size_t level, double speed);
     /// The level's state becomes that at `speed`, from its last one or from creeping flow.
     bool reach(std::size_t level, double speed);
     /// The level's state becomes the creeping flow at `speed`.
