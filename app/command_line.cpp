@@ -156,7 +156,8 @@ private:
         add_path(app, "-o,--output", options->output, "Table to write; default standard output");
         app->add_option_function<std::string>(
                "--step", [options](const std::string& text) { options->step = text; },
-               "Only this step of a spreadsheet, by name or number")
+               "Only this step of an export: its name, or the number that ends the name (3 for "
+               "\"Flow sweep - 3\")")
             ->type_name("STEP");
         add_overrides(app, options->overrides);
         app->add_flag("--quiet", options->quiet, "Print no remarks");

@@ -1,5 +1,7 @@
 #include "rheometry/fit/flow_data.hpp"
 
+#include "rheometry/disturbed_regime.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,10 +28,8 @@ std::string reason_to_leave_out(const MeasuredPoint& point, const Selection& sel
     if (selection.rates && (rate < selection.rates->low || rate > selection.rates->high))
         return "outside the range of shear rates asked for";
     if (!keep_disturbed)
-        for (const std::string_view regime : {"lag", "taylor-vortices", "end-flow"})
-            if (("+" + point.regime + "+").find(fmt::format("+{}+", regime)) != std::string::npos)
-                return fmt::format("regime {}: the torque is not that of the flow law alone",
-                                   regime);
+        if (const std::string_view regime = disturbance_in(point.regime); !regime.empty())
+            return fmt::format("regime {}: the torque is not that of the flow law alone", regime);
     return "";
 }
 

@@ -71,7 +71,7 @@ std::vector<fit::MeasuredPoint> points_of(const CsvTable& table,
                                   "relative, fitted, absolute, log or a column's name"});
         }
     }
-    numbers.faults().throw_if_any();
+    numbers.throw_if_any();
     const auto regime = table.find("regime");
     std::vector<fit::MeasuredPoint> points;
     for (std::size_t row = 0; row < table.rows(); ++row)

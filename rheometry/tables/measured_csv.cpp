@@ -37,7 +37,13 @@ MeasuredData read_measured_csv(const std::filesystem::path& file, DriveMotion mo
     step.speed =
         column(turns ? ColumnQuantity::angular_velocity : ColumnQuantity::wall_speed, true);
     step.torque = column(turns ? ColumnQuantity::torque : ColumnQuantity::wall_force, true);
-    numbers.faults().throw_if_any();
+    numbers.throw_if_any();
+    const auto regime = table.find("regime");
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        step.lines.push_back(table.line(row));
+        if (regime)
+            step.regimes.emplace_back(trimmed(table.text(row, *regime)));
+    }
     MeasuredData data;
     data.steps.push_back(std::move(step));
     return data;

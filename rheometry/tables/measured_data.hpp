@@ -2,6 +2,7 @@
 
 #include "rheometry/tables/table_error.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -16,6 +17,8 @@ struct MeasuredStep {
     std::vector<double> time;   ///< s, as in the file; may be empty
     std::vector<double> speed;  ///< rad/s (m/s for the box)
     std::vector<double> torque; ///< N m (N for the box)
+    std::vector<std::size_t> lines;    ///< of the file (of the sheet) that the rows stand in
+    std::vector<std::string> regimes;  ///< of a rheogram: "laminar", "lag"; empty: not known
     /// Whether the rows are points of a flow curve; a speed that had to be derived from the
     /// displacement belongs to a start-up at one speed.
     bool is_flow_curve = true;
