@@ -21,11 +21,12 @@ constexpr std::size_t most_profiled_points = 20000;
 constexpr double rounding = 1e-13;
 constexpr SearchEffort first_look{.most_iterations = 20, .relative_decrease = 1e-4};
 constexpr SearchEffort next_round{.most_iterations = 20, .relative_decrease = 1e-13};
-constexpr SearchEffort way_down{.most_iterations = 200, .relative_decrease = 1e-12};
+/// Leaves the last steps, which settle the digits, to the search that does not square the condition.
+constexpr SearchEffort way_down{.most_iterations = 200, .relative_decrease = 1e-6};
 
 /// To the last digit; in a valley without a bottom the last digits are left undecided.
 Minimum to_the_bottom(const LeastSquaresProblem& problem, std::span<const double> start) {
-    Minimum minimum = minimise(problem, start);
+    Minimum minimum = minimise(problem, start, {.most_iterations = 100});
     if (!minimum.converged)
         minimum = minimise(problem, minimum.parameters, {.relative_decrease = 1e-9});
     return minimum;

@@ -2,20 +2,17 @@
 
 #include "rheometry/tables/csv_scanner.hpp"
 #include "rheometry/tables/data_units.hpp"
+#include "rheometry/tables/file_kind.hpp"
 #include "rheometry/tables/number_text.hpp"
 #include "rheometry/tables/text_decoding.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fstream>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
 namespace searle::rheometry {
 namespace {
-
-constexpr std::size_t largest_file = std::size_t{1} << 30U;
 
 [[noreturn]] void fail(const std::string& file, std::size_t line, std::string message) {
     throw TableError(file, {{.line = line, .column = {}, .message = std::move(message)}});
@@ -163,26 +160,7 @@ CsvTable CsvTable::parse(std::string_view bytes, std::string name) {
 }
 
 CsvTable CsvTable::read(const std::filesystem::path& file) {
-    const std::string name = file.string();
-    std::error_code ignored;
-    if (std::filesystem::is_directory(file, ignored))
-        fail(name, 0, "this is a directory; a file is needed");
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream)
-        fail(name, 0,
-             std::filesystem::exists(file, ignored) ? "the file cannot be opened"
-                                                    : "there is no such file");
-    std::string bytes;
-    std::vector<char> block(std::size_t{1} << 20U);
-    while (stream.read(block.data(), static_cast<std::streamsize>(block.size())) ||
-           stream.gcount() > 0) {
-        bytes.append(block.data(), static_cast<std::size_t>(stream.gcount()));
-        if (bytes.size() > largest_file)
-            fail(name, 0, "the file is larger than 1 GiB; convert it in parts");
-    }
-    if (stream.bad())
-        fail(name, 0, "the file cannot be read to its end");
-    return parse(bytes, name);
+    return parse(bytes_of(file), file.string());
 }
 
 std::optional<std::size_t> CsvTable::find(std::string_view column_name) const {

@@ -3,6 +3,7 @@
 #include "rheometry/tables/column_names.hpp"
 #include "rheometry/tables/csv_table.hpp"
 #include "rheometry/tables/number_columns.hpp"
+#include "rheometry/tables/number_text.hpp"
 
 namespace searle::rheometry {
 namespace {
@@ -17,8 +18,7 @@ std::vector<double> column_in_si(NumberColumns& numbers, const ColumnMatch& matc
 
 } // namespace
 
-MeasuredData read_measured_csv(const std::filesystem::path& file, DriveMotion motion) {
-    const CsvTable table = CsvTable::read(file);
+MeasuredData measured_from_table(const CsvTable& table, DriveMotion motion) {
     const bool turns = motion == DriveMotion::turning;
     NumberColumns numbers(table);
     const auto column = [&](ColumnQuantity quantity, bool required) -> std::vector<double> {
