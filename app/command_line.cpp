@@ -150,7 +150,7 @@ private:
             add("convert", "Turn measured torque and speed into stress and rate",
                 "lab.csv --case cases/din-bob-water.toml -o rheogram.csv", options, convert);
         add_path(app, "DATA", options->data_file,
-                 "Measured data: delimited text, or a spreadsheet exported by TRIOS (.xls)")
+                 "Measured data: delimited text, a workbook (.xls, .xlsx), or JSON of TRIOS")
             ->required();
         add_path(app, "--case", options->case_file, "Case file with the instrument")->required();
         add_path(app, "-o,--output", options->output, "Table to write; default standard output");
@@ -166,9 +166,10 @@ private:
         auto options = std::make_shared<FitVerbOptions>();
         CLI::App* app = add("fit", "Fit flow laws to rheograms, or through the instrument",
                             "flow-curve.csv --model all -o fit.html", options, fit_laws);
-        add_paths(app, "DATA", options->data_files,
-                  "Rheograms (CSV, exports of lab software, .xls of TRIOS, blocks); with --case "
-                  "torques and speeds")
+        add_paths(
+            app, "DATA", options->data_files,
+            "Rheograms (CSV, exports of lab software, .xls, .xlsx and JSON of TRIOS, blocks); "
+            "with --case torques and speeds")
             ->required();
         add_paths(app, "--case", options->case_files,
                   "Case of the instrument: fit the raw torques through it; once for all files or "
@@ -195,13 +196,19 @@ private:
         app->add_flag("--joint", options->joint, "One set of parameters for all curves");
         app->add_flag("--slip", options->slip,
                       "With --case: fit a wall slip too (needs two gaps and --joint)");
+        app->add_flag("--fixed-ends", options->fixed_ends,
+                      "With --case of a DIN bob: take c_L from the case; else it is computed");
+        app->add_flag("--model-free", options->model_free,
+                      "With --case: print every row of the model-free inversion");
         app->add_flag("--keep-all", options->keep_all,
                       "Keep points with lag, vortices or end flow");
         app->add_option("--predict", options->predict,
                         "Stresses with bands at these rates, 1/s: A,B,... or LOW:HIGH:COUNT")
             ->type_name("RATES");
         app->add_option("--design", options->design,
-                        "Suggest so many further points that would shrink the intervals most")
+                        "Suggest so many further points that would shrink the intervals most, for "
+                        "each of the four "
+                        "geometries")
             ->type_name("COUNT")
             ->check(CLI::Range(1, 1000));
         auto* json = app->add_flag("--json", options->json, "Print JSON");
@@ -238,7 +245,8 @@ private:
         auto options = std::make_shared<NewOptions>();
         CLI::App* app = add("new", "Print a commented case file to start from",
                             "single-gap > my-case.toml", options, new_case);
-        app->add_option("GEOMETRY", options->geometry, "single-gap, double-gap, din-bob, box or profile")
+        app->add_option("GEOMETRY", options->geometry,
+                        "single-gap, double-gap, din-bob, box or profile")
             ->required();
     }
     void add_schema() {

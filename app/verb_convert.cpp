@@ -178,8 +178,9 @@ int convert(const ConvertOptions& options) {
         } catch (const std::overflow_error& error) {
             throw rheometry::TableError(
                 options.data_file.string(),
-                {{0, {}, fmt::format("{}{}{}", step.name, step.name.empty() ? "" : ", ",
-                                     error.what())}});
+                {{0,
+                  {},
+                  fmt::format("{}{}{}", step.name, step.name.empty() ? "" : ", ", error.what())}});
         }
     }
     const std::string table = rheometry::converted_csv(steps, instrument, conversion);

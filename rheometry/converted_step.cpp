@@ -62,8 +62,8 @@ void forbid_overflow(const Rheogram& rheogram, const MeasuredStep& step) {
         throw std::overflow_error(fmt::format(
             "{} {}: speed {:g} and torque {:g} (SI) give a stress, a rate or a viscosity beyond "
             "the range of double precision; are the columns' units right?",
-            step.lines.empty() ? "row" : "line",
-            step.lines.empty() ? row + 1 : step.lines[row], step.speed[row], step.torque[row]));
+            step.lines.empty() ? "row" : "line", step.lines.empty() ? row + 1 : step.lines[row],
+            step.speed[row], step.torque[row]));
     }
 }
 
@@ -83,8 +83,7 @@ RotorRates rates_of_undisturbed(const MeasuredStep& step, const geometry::Instru
     RotorRates all = rotor_rates(instrument, conversion.end_factor, step.speed, step.torque);
     if (rows.size() == step.torque.size())
         return all;
-    const WallRates some =
-        rotor_rates(instrument, conversion.end_factor, speeds, torques).rates;
+    const WallRates some = rotor_rates(instrument, conversion.end_factor, speeds, torques).rates;
     all.rates = no_rates(step.torque.size());
     all.rates.yield_stress = some.yield_stress;
     all.rates.yield_standard_error = some.yield_standard_error;

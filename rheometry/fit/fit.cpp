@@ -21,7 +21,8 @@ constexpr std::size_t most_profiled_points = 20000;
 constexpr double rounding = 1e-13;
 constexpr SearchEffort first_look{.most_iterations = 20, .relative_decrease = 1e-4};
 constexpr SearchEffort next_round{.most_iterations = 20, .relative_decrease = 1e-13};
-/// Leaves the last steps, which settle the digits, to the search that does not square the condition.
+/// Leaves the last steps, which settle the digits, to the search that does not square the
+/// condition.
 constexpr SearchEffort way_down{.most_iterations = 200, .relative_decrease = 1e-6};
 
 /// To the last digit; in a valley without a bottom the last digits are left undecided.
@@ -51,7 +52,8 @@ Minimum best_minimum(const LeastSquaresProblem& problem,
         }
     }
     if (std::isfinite(best.sum_of_squares))
-        best = to_the_bottom(problem, minimise_nearby(problem, best.parameters, way_down).parameters);
+        best =
+            to_the_bottom(problem, minimise_nearby(problem, best.parameters, way_down).parameters);
     return best;
 }
 

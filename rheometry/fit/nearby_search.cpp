@@ -148,8 +148,8 @@ Minimum minimise_nearby(const LeastSquaresProblem& problem, std::span<const doub
                              step)) {
                 Vector moved{};
                 for (std::size_t i = 0; i < count; ++i) {
-                    trial.parameters[i] = std::clamp(state.parameters[i] + step[i], problem.low[i],
-                                                     problem.high[i]);
+                    trial.parameters[i] =
+                        std::clamp(state.parameters[i] + step[i], problem.low[i], problem.high[i]);
                     moved[i] = trial.parameters[i] - state.parameters[i];
                 }
                 evaluate(problem, trial);
@@ -159,9 +159,9 @@ Minimum minimise_nearby(const LeastSquaresProblem& problem, std::span<const doub
                 if (std::abs(promised) <= 1e-15 * state.sum)
                     minimum.converged = true;
                 if (decrease > 0.0) {
-                    minimum.converged =
-                        minimum.converged || (decrease <= effort.relative_decrease * state.sum &&
-                                              promised <= 4.0 * effort.relative_decrease * state.sum);
+                    minimum.converged = minimum.converged ||
+                                        (decrease <= effort.relative_decrease * state.sum &&
+                                         promised <= 4.0 * effort.relative_decrease * state.sum);
                     std::swap(state, trial);
                     const double quality = promised > 0.0 ? decrease / promised : 0.5;
                     damping *= std::max(0.1, 1.0 - std::pow(2.0 * quality - 1.0, 3.0));

@@ -16,12 +16,12 @@ namespace searle::rheometry {
 /// A series of measured rows in SI units; the columns have the same length, or are empty where the
 /// file has none.
 struct MeasuredStep {
-    std::string name;           ///< "Flow sweep - 3"; empty for a plain table
-    std::vector<double> time;   ///< s, as in the file; may be empty
-    std::vector<double> speed;  ///< rad/s (m/s for the box)
-    std::vector<double> torque; ///< N m (N for the box)
-    std::vector<std::size_t> lines;    ///< of the file (of the sheet) that the rows stand in
-    std::vector<std::string> regimes;  ///< of a rheogram: "laminar", "lag"; empty: not known
+    std::string name;                 ///< "Flow sweep - 3"; empty for a plain table
+    std::vector<double> time;         ///< s, as in the file; may be empty
+    std::vector<double> speed;        ///< rad/s (m/s for the box)
+    std::vector<double> torque;       ///< N m (N for the box)
+    std::vector<std::size_t> lines;   ///< of the file (of the sheet) that the rows stand in
+    std::vector<std::string> regimes; ///< of a rheogram: "laminar", "lag"; empty: not known
     /// Whether the rows are points of a flow curve; a speed that had to be derived from the
     /// displacement belongs to a start-up at one speed.
     bool is_flow_curve = true;

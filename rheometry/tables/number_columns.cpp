@@ -58,10 +58,11 @@ void NumberColumns::throw_if_any() {
         std::erase(whole, ',');
         std::string decimal(cell);
         decimal[decimal.find(',')] = '.';
-        add_fault(undecided_->row, undecided_->column,
-                  fmt::format("{} may mean {} or {}; write numbers without thousands separators, or "
-                              "with a decimal comma and semicolons between the fields",
-                              shown(cell), whole, decimal));
+        add_fault(
+            undecided_->row, undecided_->column,
+            fmt::format("{} may mean {} or {}; write numbers without thousands separators, or "
+                        "with a decimal comma and semicolons between the fields",
+                        shown(cell), whole, decimal));
     }
     faults_.throw_if_any();
 }

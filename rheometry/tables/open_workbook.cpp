@@ -81,7 +81,8 @@ std::string_view local_name(const pugi::xml_node& node) {
 }
 
 pugi::xml_node child_named(const pugi::xml_node& parent, std::string_view name) {
-    return parent.find_child([name](const pugi::xml_node& node) { return local_name(node) == name; });
+    return parent.find_child(
+        [name](const pugi::xml_node& node) { return local_name(node) == name; });
 }
 
 /// The text of a string item: its own, or that of its runs in different fonts.
@@ -161,7 +162,8 @@ public:
             sheet_.columns = std::max(sheet_.columns, place.column + 1);
         }
         if (sheet_.rows > 0 && sheet_.columns > most_cells / sheet_.rows)
-            fail(file_, fmt::format("sheet \"{}\" has more than {} cells", sheet_.name, most_cells));
+            fail(file_,
+                 fmt::format("sheet \"{}\" has more than {} cells", sheet_.name, most_cells));
         sheet_.cells.resize(sheet_.rows * sheet_.columns);
         for (auto& [place, content] : found)
             sheet_.cells[place.row * sheet_.columns + place.column] = std::move(content);

@@ -54,8 +54,8 @@ void add_row(Sheet& sheet, std::vector<SheetCell> cells) {
 /// The geometry's values as texts with units; those without a unit as numbers.
 Sheet details_of(const Json& document) {
     Sheet details{.name = "Details", .rows = 0, .columns = 2, .cells = {}};
-    const Json& instruments = member(
-        member(member(document, "Procedure"), "Configuration"), "InstrumentConfigurations");
+    const Json& instruments =
+        member(member(member(document, "Procedure"), "Configuration"), "InstrumentConfigurations");
     if (!instruments.is_array() || instruments.empty())
         return details;
     const Json& geometry = member(instruments.front(), "Geometry");
@@ -68,8 +68,7 @@ Sheet details_of(const Json& document) {
         else if (number.is_number() && unit.empty())
             add_row(details, {name, number.get<double>()});
         else if (number.is_number())
-            add_row(details,
-                    {name, fmt::format("{} {}", number_text(number.get<double>()), unit)});
+            add_row(details, {name, fmt::format("{} {}", number_text(number.get<double>()), unit)});
     }
     return details;
 }
@@ -119,9 +118,8 @@ Sheet step_sheet(const std::string& name, const std::vector<Column>& all,
     for (const Column& column : all) {
         if (is_oscillation(name) && belongs_to_flow(column))
             continue;
-        const bool any = std::ranges::any_of(rows, [&](const Json* row) {
-            return member(*row, column.key.c_str()).is_number();
-        });
+        const bool any = std::ranges::any_of(
+            rows, [&](const Json* row) { return member(*row, column.key.c_str()).is_number(); });
         if (any)
             columns.push_back(&column);
     }
@@ -170,7 +168,8 @@ std::vector<Sheet> read_trios_json(const std::filesystem::path& file) {
     const Json& headers = member(set, "ColumnHeaders");
     const Json& rows = member(set, "Rows");
     if (!headers.is_object() || !rows.is_array())
-        fail(file, "this JSON is no export of TRIOS: it has no Results with ColumnHeaders and Rows");
+        fail(file,
+             "this JSON is no export of TRIOS: it has no Results with ColumnHeaders and Rows");
 
     std::string step_key = "Results Step Id";
     for (const auto& [key, header] : headers.items())

@@ -150,8 +150,8 @@ void drop_incomplete(MeasuredStep& step, std::vector<double>& angle, MeasuredDat
                 (*column)[kept++] = (*column)[row];
         column->resize(kept);
     }
-    data.remarks.push_back(fmt::format("step \"{}\": {} of {} rows left out: a cell is empty",
-                                       step.name, left, rows));
+    data.remarks.push_back(
+        fmt::format("step \"{}\": {} of {} rows left out: a cell is empty", step.name, left, rows));
 }
 
 std::optional<MeasuredStep> read_step(const Sheet& sheet, MeasuredData& data, TableFaults& faults) {
