@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 namespace searle::solvers::fit_instrument {
 namespace {
@@ -21,26 +22,24 @@ double widest_gap(const geometry::Instrument& instrument) {
     return std::get<geometry::Box>(instrument).gap;
 }
 
-/// When the line through the first two rows is at rest; no such time: the first row's.
-double start_of(const TimedRows& rows) {
+/// When the line through the first two rows is at rest, if that is where the run came from.
+std::optional<double> rest_before(const TimedRows& rows) {
     const double growth = (rows.speeds[1] - rows.speeds[0]) / (rows.times[1] - rows.times[0]);
     const double start = rows.times[0] - rows.speeds[0] / growth;
     const double spacing = rows.times[1] - rows.times[0];
     // A ramp that starts at time 0 may be read off by a fraction of a row.
-    const bool from_rest =
-        std::isfinite(start) && start <= rows.times[0] && start >= -0.5 * spacing;
-    return from_rest ? start : rows.times[0];
+    if (std::isfinite(start) && start < rows.times[0] && start >= -0.5 * spacing)
+        return start;
+    return std::nullopt;
 }
 
 rheometry::SpeedHistory history_of(const TimedRows& rows) {
     rheometry::SpeedHistory history;
-    const double start = start_of(rows);
-    const bool from_rest = start < rows.times[0];
-    if (from_rest)
-        history.pieces.push_back({0.0, rows.times[0] - start, 0.0, rows.speeds[0]});
-    else
-        history.initial_speed = rows.speeds[0];
-    const double origin = from_rest ? start : rows.times[0];
+    const std::optional<double> rest = rest_before(rows);
+    // Rows come after the start: a run that was steady has been so for a row's time.
+    const double origin = rest.value_or(rows.times[0] - (rows.times[1] - rows.times[0]));
+    history.initial_speed = rest ? 0.0 : rows.speeds[0];
+    history.pieces.push_back({0.0, rows.times[0] - origin, history.initial_speed, rows.speeds[0]});
     for (std::size_t k = 1; k < rows.times.size(); ++k)
         history.pieces.push_back({rows.times[k - 1] - origin, rows.times[k] - origin,
                                   rows.speeds[k - 1], rows.speeds[k]});
