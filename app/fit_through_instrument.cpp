@@ -98,6 +98,11 @@ LawRecord fit_law(const fit::Model& law, const PreparedSeries& prepared, CurveRe
         if (ends.relative_error > 3e-3)
             warnings.push_back(fmt::format("{}: c_L is known to {:.1g} % only", ends.series,
                                            100.0 * ends.relative_error));
+    // Two ways with a loop between them are no curve that falls here and there.
+    if (!record.loops.empty())
+        std::erase_if(warnings, [](const std::string& warning) {
+            return warning.starts_with("the stress falls");
+        });
     for (const std::string& warning : loop_warnings(record))
         warnings.push_back(warning);
     each.result = std::move(done.result);
@@ -122,6 +127,14 @@ CurveRecord fit_prepared(const std::string& name, const PreparedSeries& prepared
     record.data.remarks.insert(record.data.remarks.begin(), prepared.remarks.begin(),
                                prepared.remarks.end());
     tell_of_excluded(record);
+    if (prepared.measurements.empty()) {
+        record.failure =
+            prepared.excluded.empty()
+                ? std::string("there are no rows")
+                : fmt::format("none of the {} rows can be used; the first: {}",
+                              prepared.excluded.size(), prepared.excluded.front().reason);
+        return record;
+    }
     for (const fit::Model& law : laws_of(options.model)) {
         try {
             record.laws.push_back(fit_law(law, prepared, record, asked));

@@ -139,6 +139,10 @@ void add_series(PreparedSeries& prepared, const InstrumentSeries& series,
         .torques = {}};
     through::RunHistory run{{series.times, series.speeds}, series.torques, {}};
     const bool has_history = through::has_history(run.rows);
+    if (!has_history && !series.times.empty())
+        prepared.remarks.push_back(fmt::format(
+            "{}: the times do not increase from row to row: the fluid's inertia is not looked at",
+            series.name));
     std::vector<fit::MeasuredPoint> points;
     for (std::size_t k = 0; k < series.speeds.size(); ++k)
         points.push_back({.rate = series.conversion.shear_rate(series.speeds[k]),

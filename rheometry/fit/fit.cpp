@@ -214,7 +214,8 @@ void set_statistics(FitResult& result, const WeightedResiduals& residuals,
     }
     result.rms_absolute = std::sqrt(absolute / count);
     result.rms_relative = std::sqrt(relative / count);
-    result.determination = spread > 0.0 ? 1.0 - absolute / spread : unset();
+    // Equal values have no spread but rounding's.
+    result.determination = spread > 1e-24 * count * mean * mean ? 1.0 - absolute / spread : unset();
     result.runs = runs_test(result.residuals);
     const double deviance =
         count * std::log(std::max(result.sum_of_squares, count * rounding * rounding) / count) +

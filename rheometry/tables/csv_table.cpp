@@ -87,9 +87,29 @@ private:
         if (std::ranges::all_of(record.fields, is_number))
             fail(table_.name_, record.line,
                  "the first line holds numbers; it must be the header, with the columns' names");
+        if (record.fields.size() == 1)
+            refuse_other_delimiter(record);
         for (const std::string_view field : record.fields)
             table_.columns_.push_back({.name = std::string(trimmed(field)), .unit = {}});
         forbid_duplicates(record.line);
+    }
+
+    /// A header of one field that something else than a delimiter splits into names.
+    void refuse_other_delimiter(const CsvRecord& record) {
+        const std::string_view header = trimmed(record.fields.front());
+        const std::string_view found = header.find('|') != std::string_view::npos    ? "|"
+                                       : header.find("  ") != std::string_view::npos ? "blanks"
+                                       : header.find(':') != std::string_view::npos  ? ":"
+                                                                                     : "";
+        // One blank may be part of a name; next to a name with _ it is none.
+        const bool blank = header.find(' ') != std::string_view::npos &&
+                           header.find('_') != std::string_view::npos;
+        if (!found.empty() || blank)
+            fail(
+                table_.name_, record.line,
+                fmt::format("the header is one field, \"{}\", with {} in it; the delimiter must be "
+                            "comma, semicolon or tab",
+                            header.substr(0, 60), found.empty() ? "blanks" : found));
     }
 
     void forbid_duplicates(std::size_t line) {
