@@ -177,10 +177,7 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
             solution.interrupted = true;
         }
     }
-    const bool counts_secondary_flow = scene.solver.secondary_flow == Switch::on ||
-                                       (scene.solver.secondary_flow == Switch::automatic &&
-                                        scene.solver.model == Model::automatic);
-    if (counts_secondary_flow) {
+    if (!plan.secondary_flow && scene.solver.secondary_flow == Switch::automatic) {
         add_end_flow(plan, rows);
     }
 
@@ -196,19 +193,6 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
         }
     }
     solution.reached = solution.worst_relative_error <= accuracy;
-    if (counts_secondary_flow && !solution.reached) {
-        double share = 0.0;
-        for (const RowForecast& row : plan.rows) {
-            share = std::max(share, row.end_flow_share);
-        }
-        if (share > accuracy / left_out_margin) {
-            solution.notes.push_back(fmt::format(
-                "Secondary flow at the bob's ends is estimated at up to {:.3g} % of the torque and "
-                "is not solved by this version: the rows' errors include three times the estimate. "
-                "secondary_flow = false asks for swirl alone.",
-                100.0 * share));
-        }
-    }
     return report;
 }
 
