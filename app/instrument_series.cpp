@@ -52,8 +52,9 @@ std::string disturbance_at(const InstrumentSeries& series, double speed, double 
     if (gap->radius * gap->width * momentum >
         solvers::stability::taylor_threshold(gap->width / gap->radius).reynolds)
         return "taylor-vortices";
-    const bool has_ends = std::holds_alternative<geometry::DinBob>(series.scene.instrument);
-    if (has_ends && solvers::end_flow_share(gap->radius * gap->radius * momentum) > most_end_flow)
+    const auto* bob = std::get_if<geometry::DinBob>(&series.scene.instrument);
+    if (bob != nullptr &&
+        solvers::end_flow_share(*bob, gap->radius * gap->radius * momentum) > most_end_flow)
         return "end-flow";
     return "";
 }

@@ -44,10 +44,11 @@ bool is_disturbed(const geometry::Instrument& instrument, const rheometry::Conve
                   double density, double speed, double torque) {
     double radius = 0.0;
     double width = 0.0;
+    const auto* bob = std::get_if<geometry::DinBob>(&instrument);
     if (const auto* gap = std::get_if<geometry::ConcentricCylinders>(&instrument)) {
         radius = gap->bob_radius;
         width = gap->gap();
-    } else if (const auto* bob = std::get_if<geometry::DinBob>(&instrument)) {
+    } else if (bob != nullptr) {
         radius = bob->bob_radius;
         width = bob->gap();
     } else if (const auto* gaps = std::get_if<geometry::DoubleGap>(&instrument)) {
@@ -59,8 +60,7 @@ bool is_disturbed(const geometry::Instrument& instrument, const rheometry::Conve
     const double viscosity = conversion.shear_stress(torque) / conversion.shear_rate(speed);
     const double momentum = speed * density / viscosity;
     return radius * width * momentum > stability::taylor_threshold(width / radius).reynolds ||
-           (std::holds_alternative<geometry::DinBob>(instrument) &&
-            end_flow_share(radius * radius * momentum) > most_end_flow);
+           (bob != nullptr && end_flow_share(*bob, radius * radius * momentum) > most_end_flow);
 }
 
 } // namespace
