@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 
 namespace searle::solvers::fit_instrument {
@@ -44,8 +45,9 @@ std::vector<std::vector<double>> with_slip(const std::vector<double>& start, dou
 /// Ends and inertia are found to a part of what scatter leaves of a law.
 constexpr double end_factor_accuracy = 1e-3;
 constexpr double inertia_accuracy = 1e-3;
-/// Where the expansion of ln c_L foresees a larger change than this, c_L is solved again.
-constexpr double largest_foreseen = 5e-3;
+/// Where the backbone of ln c_L has moved by more than this since the flow was solved, it is solved
+/// again.
+constexpr double largest_move = 1e-2;
 /// Inertia below this share of every torque is left out.
 constexpr double least_inertia = 2e-4;
 /// Both stand when no torque moves by more than this.
@@ -111,47 +113,75 @@ std::vector<double> law_search(const fit::Model& law, const fit::FitResult& resu
     return {result.search.begin(), result.search.begin() + static_cast<std::ptrdiff_t>(law.size())};
 }
 
-/// Largest change of ln c_L that the expansion foresees; infinite where there is none yet.
-double foreseen_change(const Measurement& measurement, std::span<const double> search) {
-    if (measurement.end_factor_slopes.empty())
-        return std::numeric_limits<double>::infinity();
-    double largest = 0.0;
-    for (std::size_t row = 0; row < measurement.speeds.size(); ++row) {
-        double change = 0.0;
-        for (std::size_t i = 0; i < search.size(); ++i)
-            change += measurement.end_factor_slopes[row * search.size() + i] *
-                      (search[i] - measurement.end_factor_search[i]);
-        largest = std::max(largest, std::abs(change));
+/// The ends of the measurements' bobs.
+class Ends {
+public:
+    Ends(const std::vector<Measurement>& measurements, const InstrumentEffects& effects) {
+        for (const Measurement& measurement : measurements) {
+            const auto* bob = std::get_if<geometry::DinBob>(&measurement.instrument);
+            bobs_.push_back(bob != nullptr && effects.ends
+                                ? std::make_unique<BobEnds>(*bob, measurement.speeds,
+                                                            end_factor_accuracy, effects.progress)
+                                : nullptr);
+        }
     }
-    return largest;
-}
 
-/// Solves the ends of the DIN bobs again where the law has moved. Returns whether any was.
-bool update_ends(const fit::Model& law, std::span<const double> search,
-                 std::vector<Measurement>& measurements, const InstrumentEffects& effects,
-                 std::vector<ComputedEnds>& ends) {
-    bool updated = false;
-    for (std::size_t m = 0; m < measurements.size(); ++m) {
-        Measurement& measurement = measurements[m];
-        const auto* bob = std::get_if<geometry::DinBob>(&measurement.instrument);
-        if (bob == nullptr || foreseen_change(measurement, search) <= largest_foreseen)
-            continue;
-        EndFactors found = end_factors_of(*bob, law, search, measurement.speeds,
-                                          end_factor_accuracy, effects.progress);
-        std::erase_if(ends, [m](const ComputedEnds& old) { return old.measurement == m; });
-        ends.push_back({.measurement = m,
-                        .values = found.values,
-                        .relative_error = found.relative_error,
-                        .solutions = found.solutions,
-                        .reached = found.reached,
-                        .stand_in = {}});
-        measurement.end_factors = std::move(found.values);
-        measurement.end_factor_slopes = std::move(found.slopes);
-        measurement.end_factor_search = std::move(found.search);
-        updated = true;
+    /// Sets c_L and its slopes for a law; solves the flow where that is due. Returns the largest
+    /// relative change of a c_L against what the measurement had foreseen.
+    /// @param solve  false: the backbone alone, for a first guess
+    double update(const fit::Model& law, std::span<const double> search,
+                  std::vector<Measurement>& measurements, bool solve) {
+        double moved = 0.0;
+        for (std::size_t m = 0; m < measurements.size(); ++m) {
+            if (!bobs_[m])
+                continue;
+            Measurement& measurement = measurements[m];
+            if (solve && bobs_[m]->change_since_solution(law, search) > largest_move)
+                bobs_[m]->solve(law, search);
+            EndFactors found = bobs_[m]->at(law, search);
+            const std::vector<double> foreseen = foreseen_factors(measurement, search);
+            for (std::size_t row = 0; row < foreseen.size(); ++row)
+                moved = std::max(moved, std::abs(std::log(found.values[row] / foreseen[row])));
+            measurement.end_factors = std::move(found.values);
+            measurement.end_factor_slopes = std::move(found.slopes);
+            measurement.end_factor_search = std::move(found.search);
+        }
+        return moved;
     }
-    return updated;
-}
+
+    [[nodiscard]] std::vector<ComputedEnds> computed(const std::vector<Measurement>& measurements,
+                                                     std::span<const double> search) const {
+        std::vector<ComputedEnds> ends;
+        for (std::size_t m = 0; m < measurements.size(); ++m)
+            if (bobs_[m])
+                ends.push_back({.measurement = m,
+                                .values = foreseen_factors(measurements[m], search),
+                                .relative_error = bobs_[m]->relative_error(),
+                                .solutions = bobs_[m]->solutions(),
+                                .reached = bobs_[m]->reached(),
+                                .stand_in = {}});
+        return ends;
+    }
+
+private:
+    /// c_L as the measurement's expansion has it.
+    static std::vector<double> foreseen_factors(const Measurement& measurement,
+                                                std::span<const double> search) {
+        std::vector<double> factors = measurement.end_factors;
+        factors.resize(measurement.speeds.size(), factors.front());
+        for (std::size_t row = 0; row < factors.size(); ++row) {
+            double change = 0.0;
+            for (std::size_t i = 0; i < search.size() && !measurement.end_factor_slopes.empty();
+                 ++i)
+                change += measurement.end_factor_slopes[row * search.size() + i] *
+                          (search[i] - measurement.end_factor_search[i]);
+            factors[row] *= std::exp(change);
+        }
+        return factors;
+    }
+
+    std::vector<std::unique_ptr<BobEnds>> bobs_;
+};
 
 double mean(std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
@@ -204,39 +234,23 @@ double update_inertia(const laws::flow::AnyFlowLaw& law, std::vector<Measurement
 }
 
 /// Fits, and finds ends and inertia for what was fitted, until they stand.
-void settle(const fit::Model& law, Search& search, const InstrumentEffects& effects,
-            InstrumentFit& done) {
+/// @param start  the law's values, SI
+void settle(const fit::Model& law, Search& search, const std::vector<double>& start,
+            const InstrumentEffects& effects, InstrumentFit& done) {
+    Ends ends(search.measurements(), effects);
+    ends.update(law, law.search(start), search.measurements(), false);
+    done.result = search.fit_from(start, false);
     for (; done.rounds < most_rounds; ++done.rounds) {
         const std::vector<double> values = done.result.values();
-        const auto solver_law = law.for_solvers(std::span(values).first(law.size()));
-        bool stands = true;
-        if (effects.ends)
-            stands = !update_ends(law, law_search(law, done.result), search.measurements(), effects,
-                                  done.ends);
-        if (solver_law &&
-            update_inertia(*solver_law, search.measurements(), effects, done.inertia) > standing)
-            stands = false;
-        if (stands)
-            return;
-        done.result = search.fit_from(done.result.values(), false);
+        double moved = ends.update(law, law_search(law, done.result), search.measurements(), true);
+        if (const auto solver_law = law.for_solvers(std::span(values).first(law.size())))
+            moved = std::max(
+                moved, update_inertia(*solver_law, search.measurements(), effects, done.inertia));
+        if (moved <= standing)
+            break;
+        done.result = search.fit_from(values, false);
     }
-}
-
-/// c_L at the fitted parameters, with the change since it was solved.
-void note_final_ends(const InstrumentFit& done, const fit::Model& law,
-                     const std::vector<Measurement>& measurements,
-                     std::vector<ComputedEnds>& ends) {
-    const std::vector<double> search = law_search(law, done.result);
-    for (ComputedEnds& each : ends) {
-        const Measurement& measurement = measurements[each.measurement];
-        for (std::size_t row = 0; row < each.values.size(); ++row) {
-            double change = 0.0;
-            for (std::size_t i = 0; i < law.size() && !measurement.end_factor_slopes.empty(); ++i)
-                change += measurement.end_factor_slopes[row * law.size() + i] *
-                          (search[i] - measurement.end_factor_search[i]);
-            each.values[row] = measurement.end_factors[row] * std::exp(change);
-        }
-    }
+    done.ends = ends.computed(search.measurements(), law_search(law, done.result));
 }
 
 } // namespace
@@ -247,9 +261,9 @@ InstrumentFit fit_through(const fit::Model& law, const std::vector<Measurement>&
     InstrumentFit done;
     done.conventional = fit::fit_flow_curve(law, converted, options);
     Search search(law, measurements, converted, options, slip);
-    if (law.for_solvers(done.conventional->values())) {
-        done.result = search.fit_from(done.conventional->values(), false);
-        settle(law, search, effects, done);
+    const std::vector<double> start = done.conventional->values();
+    if (law.for_solvers(start)) {
+        settle(law, search, start, effects, done);
     } else if (effects.ends || !effects.history.empty()) {
         // Ends and inertia hardly depend on how a curve is written: those of the Herschel-Bulkley
         // law through the same torques stand in.
@@ -257,25 +271,21 @@ InstrumentFit fit_through(const fit::Model& law, const std::vector<Measurement>&
         fit::FitOptions free = options;
         free.bounds.clear();
         free.profile_intervals = false;
-        const fit::FitResult start = fit::fit_flow_curve(known, converted, free);
         Search stand_in(known, measurements, converted, free, slip);
-        done.result = stand_in.fit_from(start.values(), false);
-        settle(known, stand_in, effects, done);
-        note_final_ends(done, known, stand_in.measurements(), done.ends);
-        for (Measurement& measurement : stand_in.measurements())
+        settle(known, stand_in, fit::fit_flow_curve(known, converted, free).values(), effects,
+               done);
+        search.measurements() = stand_in.measurements();
+        for (Measurement& measurement : search.measurements())
             measurement.end_factor_slopes.clear();
         for (ComputedEnds& each : done.ends) {
             each.stand_in = known.name;
-            stand_in.measurements()[each.measurement].end_factors = each.values;
+            search.measurements()[each.measurement].end_factors = each.values;
         }
-        search.measurements() = stand_in.measurements();
-        done.result = search.fit_from(done.conventional->values(), false);
+        done.result = search.fit_from(start, false);
     } else {
-        done.result = search.fit_from(done.conventional->values(), false);
+        done.result = search.fit_from(start, false);
     }
     done.result = search.fit_from(done.result.values(), true);
-    if (law.for_solvers(done.conventional->values()))
-        note_final_ends(done, law, search.measurements(), done.ends);
     done.measurements = search.measurements();
     fit::add_parameter_warnings(done.result);
     return done;

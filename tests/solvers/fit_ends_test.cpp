@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <tuple>
 
 namespace {
 
@@ -29,17 +30,19 @@ double log_end_factor(const geometry::DinBob& instrument, const fit::Model& law,
                         .end_factor);
 }
 
-// Direct solutions, five times as accurate, at speeds between the points of the curve; the slopes
-// against their differences. The flow index is moved by 0.08 to one side only: 20 %.
+// Direct solutions, five times as accurate, at speeds between the points of the curve. The slopes
+// are the backbone's: within a quarter of the differences of direct solutions, or 0.01.
 TEST(FitEnds, values_and_slopes_match_direct_solutions) {
     const fit::Model& law = *fit::model_named("herschel-bulkley");
     const std::vector<double> search = law.search(std::vector<double>{5.0, 0.5, 0.5});
     const std::vector<double> speeds{0.05, 1.7, 30.0};
-    const through::EndFactors found = through::end_factors_of(bob, law, search, speeds, 1e-3, {});
-    EXPECT_TRUE(found.reached);
+    through::BobEnds ends(bob, speeds, 1e-3, {});
+    ends.solve(law, search);
+    EXPECT_TRUE(ends.reached());
+    const through::EndFactors found = ends.at(law, search);
     for (std::size_t k = 0; k < speeds.size(); ++k) {
         const double direct = log_end_factor(bob, law, search, speeds[k]);
-        EXPECT_NEAR(std::log(found.values[k]), direct, found.relative_error) << speeds[k];
+        EXPECT_NEAR(std::log(found.values[k]), direct, ends.relative_error()) << speeds[k];
         for (std::size_t i = 0; i < 3; ++i) {
             std::vector<double> up = search;
             std::vector<double> down = search;
@@ -49,9 +52,36 @@ TEST(FitEnds, values_and_slopes_match_direct_solutions) {
             const double slope = (log_end_factor(bob, law, up, speeds[k]) -
                                   log_end_factor(bob, law, down, speeds[k])) /
                                  (2.0 * step);
-            EXPECT_NEAR(found.slopes[3 * k + i], slope, 0.2 * std::abs(slope) + 0.01)
+            EXPECT_NEAR(found.slopes[3 * k + i], slope, 0.25 * std::abs(slope) + 0.01)
                 << i << " at " << speeds[k];
         }
+    }
+}
+
+// The backbone alone is within 0.5 % of the solution for this law, 1 % for a Bingham one, and the
+// rest that was solved for one law serves its neighbours to 1e-3.
+TEST(FitEnds, the_backbone_is_near_and_the_rest_moves_slowly) {
+    for (const auto& [name, values, most] :
+         {std::tuple{"herschel-bulkley", std::vector<double>{5.0, 0.5, 0.5}, 5e-3},
+          std::tuple{"bingham", std::vector<double>{5.0, 0.05}, 1e-2},
+          std::tuple{"casson", std::vector<double>{3.0, 0.05}, 5e-3}}) {
+        const fit::Model& law = *fit::model_named(name);
+        const std::vector<double> search = law.search(values);
+        const std::vector<double> speeds{0.1, 3.0, 20.0};
+        through::BobEnds ends(bob, speeds, 1e-3, {});
+        EXPECT_TRUE(std::isinf(ends.change_since_solution(law, search)));
+        for (std::size_t k = 0; k < speeds.size(); ++k)
+            EXPECT_NEAR(std::log(ends.at(law, search).values[k]),
+                        log_end_factor(bob, law, search, speeds[k]), most)
+                << name << " " << speeds[k];
+        ends.solve(law, search);
+        EXPECT_DOUBLE_EQ(ends.change_since_solution(law, search), 0.0);
+        std::vector<double> near = search;
+        near[0] += 0.05 * std::abs(near[0]);
+        for (std::size_t k = 0; k < speeds.size(); ++k)
+            EXPECT_NEAR(std::log(ends.at(law, near).values[k]),
+                        log_end_factor(bob, law, near, speeds[k]), ends.relative_error() + 1e-3)
+                << name << " " << speeds[k];
     }
 }
 
@@ -59,12 +89,13 @@ TEST(FitEnds, values_and_slopes_match_direct_solutions) {
 TEST(FitEnds, a_power_law_has_one_end_factor) {
     const geometry::DinBob iso{.bob_radius = 0.014, .cup_radius = 0.014 * 1.0847};
     const fit::Model& law = *fit::model_named("power-law");
-    const through::EndFactors found =
-        through::end_factors_of(iso, law, law.search(std::vector<double>{3.0, 0.5}),
-                                std::vector<double>{0.1, 10.0}, 1e-3, {});
+    through::BobEnds ends(iso, std::vector<double>{0.1, 10.0}, 1e-3, {});
+    const std::vector<double> search = law.search(std::vector<double>{3.0, 0.5});
+    ends.solve(law, search);
+    const through::EndFactors found = ends.at(law, search);
     for (std::size_t k = 0; k < 2; ++k) {
         EXPECT_NEAR(found.values[k], 1.1579, 1e-3);
-        EXPECT_DOUBLE_EQ(found.slopes[2 * k], 0.0);
+        EXPECT_NEAR(found.slopes[2 * k], 0.0, 1e-6);
         EXPECT_LT(found.slopes[2 * k + 1], -0.05); // thinner fluids have more at the ends
     }
 }
