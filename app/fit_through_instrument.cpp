@@ -157,7 +157,8 @@ std::vector<CurveRecord> fit_through_instrument(const FitVerbOptions& options) {
     Asked asked{.how = fit_options_of(options),
                 .slip = options.slip,
                 .computed_ends = !options.fixed_ends,
-                .rates = options.predict ? rates_of(*options.predict) : std::vector<double>(),
+                .rates = options.predict ? rates_of(*options.predict, "--predict")
+                                         : std::vector<double>(),
                 .design = static_cast<std::size_t>(options.design.value_or(0))};
     if (asked.how.weighting == fit::Weighting::custom)
         throw UsageError("--weights with --case takes relative, fitted, absolute or log");

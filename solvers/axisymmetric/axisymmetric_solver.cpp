@@ -111,12 +111,25 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
     std::vector<rheometry::TorqueRow>& rows = solution.history.rows;
     try {
         const std::vector<double> speeds = speeds_of(plan);
+        const double rate_per_speed =
+            rheometry::conversion_for(scene.instrument, scene.conversion).rate_per_speed;
         const EndFactorCurve ends(bob, scene.fluid.law, speeds, 0.5 * accuracy, progress);
         for (const RowForecast& forecast : plan.rows) {
             const EndFactorCurve::Value value =
                 forecast.speed == 0.0 ? EndFactorCurve::Value{} : ends.at(forecast.speed);
             rows.push_back(steady_row(scene, forecast, value));
             report.end_factor.push_back(value.end_factor);
+            if (forecast.speed != 0.0) {
+                const auto bound = [](double each) {
+                    return each > 0.0 ? each : std::numeric_limits<double>::quiet_NaN();
+                };
+                report.ends.push_back({.speed = forecast.speed,
+                                       .shear_rate = rate_per_speed * forecast.speed,
+                                       .end_factor = value.end_factor,
+                                       .error = value.end_factor * value.relative_error,
+                                       .lower = bound(value.lower),
+                                       .upper = bound(value.upper)});
+            }
         }
         solution.refinements = ends.levels();
         solution.linear_solves = ends.newton_steps();
