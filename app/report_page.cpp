@@ -66,7 +66,9 @@ std::vector<report::Fact> facts_of(const RunSummary& summary) {
         {"largest estimated error",
          fmt::format("{:.2g} of the stress", solver.worst_relative_error)}};
     if (summary.transient) {
-        facts.push_back({"elements across the gap", fmt::format("{}", solver.elements)});
+        facts.push_back(
+            {solver.model == "axisymmetric" ? "elements of the section" : "elements across the gap",
+             fmt::format("{}", solver.elements)});
         facts.push_back({"grid levels", fmt::format("{}", solver.refinements)});
         facts.push_back({"time steps", fmt::format("{}", solver.time_steps)});
         facts.push_back({"linear systems solved", fmt::format("{}", solver.linear_solves)});
@@ -77,10 +79,10 @@ std::vector<report::Fact> facts_of(const RunSummary& summary) {
 }
 
 std::optional<report::MeshDescription> mesh_of(const RunRecord& record) {
-    const auto* const bob = std::get_if<geometry::DinBob>(&record.source.scene.instrument);
-    if (!record.summary.mesh || bob == nullptr)
+    const auto shape = solvers::axisymmetric::section_shape(record.source.scene.instrument);
+    if (!record.summary.mesh || !shape)
         return std::nullopt;
-    return mesh_description(*bob, *record.summary.mesh);
+    return mesh_description(*shape, *record.summary.mesh);
 }
 
 } // namespace

@@ -48,7 +48,7 @@ bool needs_secondary_flow(const Scene& scene, const Forecast& forecast) {
 bool needs_vortices(const Scene& scene, const Forecast& forecast) {
     const bool has_gap = std::holds_alternative<geometry::ConcentricCylinders>(scene.instrument) ||
                          std::holds_alternative<geometry::DoubleGap>(scene.instrument);
-    return has_gap && scene.solver.model != Model::radial &&
+    return has_gap && !has_ends(scene) && scene.solver.model != Model::radial &&
            scene.solver.secondary_flow != Switch::off &&
            !(laws::flow::yield_stress(scene.fluid.law) > 0.0) && forecast.taylor &&
            forecast.taylor->largest_ratio > 1.0;
@@ -98,7 +98,7 @@ Choice choose(const Scene& scene, const Forecast& forecast, bool transient) {
         return {
             "openfoam",
             fmt::format("solver.engine = \"openfoam\": this version cannot drive OpenFOAM yet.{}",
-                        is_din_bob(scene)
+                        has_ends(scene)
                             ? ""
                             : " engine = \"native\" solves this scene with the radial model."),
             false, false};
@@ -109,7 +109,7 @@ Choice choose(const Scene& scene, const Forecast& forecast, bool transient) {
                 fmt::format("solver.model = \"{}\": this version has no such model of this "
                             "instrument. model = \"auto\" solves this scene with the {} model.",
                             asked == Model::axisymmetric ? "axisymmetric" : "3d",
-                            is_din_bob(scene) ? "axisymmetric" : "radial"),
+                            has_ends(scene) ? "axisymmetric" : "radial"),
                 false, false};
     }
     if (asked == Model::radial && forecast.conversion.end_factor_provisional) {
@@ -128,9 +128,9 @@ Choice choose(const Scene& scene, const Forecast& forecast, bool transient) {
                             why_transient(scene, forecast, transient)),
                 true, false};
     }
-    if (is_din_bob(scene) && asked != Model::radial) {
+    if (has_ends(scene) && asked != Model::radial) {
         return {"axisymmetric",
-                fmt::format("The flow around a DIN bob's ends is axisymmetric: {}, in the whole "
+                fmt::format("The flow around the rotor's ends is axisymmetric: {}, in the whole "
                             "section; {}.",
                             needs_secondary_flow(scene, forecast)
                                 ? "the angular velocity w(r, z) and the secondary flow u_r, u_z, p"
@@ -149,10 +149,10 @@ Choice choose(const Scene& scene, const Forecast& forecast, bool transient) {
 
 std::vector<std::string> choice_warnings(const Scene& scene, const Choice& choice) {
     std::vector<std::string> warnings;
-    if (choice.is_radial && is_din_bob(scene)) {
-        warnings.emplace_back("The radial model is an explicit choice for this DIN bob: it ignores "
-                              "the flow around cone, top and shaft and its inertia, and takes them "
-                              "as a factor c_L on the endless bob's torque.");
+    if (choice.is_radial && has_ends(scene)) {
+        warnings.emplace_back("The radial model is an explicit choice for this instrument: it "
+                              "ignores the flow around the rotor's ends and its inertia, and takes "
+                              "them as a factor c_L on the endless rotor's torque.");
     }
     if (choice.is_radial && scene.solver.secondary_flow == Switch::on) {
         warnings.emplace_back(

@@ -40,12 +40,22 @@ PlanItem ends_item(const Scene& scene, const Forecast& forecast, PlannedModel mo
     if (is_box(scene)) {
         return {"ends", false, "The box stands for a part of an endless gap: it has no ends."};
     }
+    if (has_ends(scene) && !model.radial && !is_din_bob(scene)) {
+        return {"ends", true,
+                "ends = true: the fluid beyond the rotor's ends is part of the section, and c_L is "
+                "computed."};
+    }
     if (is_din_bob(scene) && !model.radial) {
         return {
             "ends", true,
             "Cone, top and shaft carry about a tenth of the torque: c_L is 1.0887 for a Newtonian "
             "fluid in creeping flow in the standard geometry, up to 1.26 for shear-thinning and "
             "yield-stress fluids."};
+    }
+    if (has_ends(scene) && !is_din_bob(scene)) {
+        return {"ends", false,
+                fmt::format("The torque on the rotor's ends enters through c_L = {:.5g} alone.",
+                            end_factor)};
     }
     if (is_din_bob(scene)) {
         return {
@@ -84,7 +94,7 @@ PlanItem secondary_flow_item(const Scene& scene, const Forecast& forecast, bool 
     if (is_box(scene)) {
         return {"secondary flow", false, "Plane shear has straight streamlines."};
     }
-    if (!is_din_bob(scene)) {
+    if (!has_ends(scene)) {
         return {
             "secondary flow", false,
             "Without ends nothing drives a flow in r and z below the onset of Taylor vortices."};

@@ -89,7 +89,7 @@ std::vector<std::string> plan_warnings(const Scene& scene, const Forecast& forec
     if (!is_newtonian(scene) && std::abs(forecast.facts[furthest].definition_error) > accuracy) {
         warnings.push_back(definition_warning(scene, forecast, furthest));
     }
-    if (is_din_bob(scene)) {
+    if (has_ends(scene)) {
         const std::size_t ends = count_rows(
             forecast, [&](std::size_t i) { return forecast.facts[i].end_flow_share > accuracy; });
         if (ends > 0) {
@@ -107,7 +107,8 @@ std::vector<std::string> plan_warnings(const Scene& scene, const Forecast& forec
             percent(std::abs(1.0 / forecast.conversion.end_factor - 1.0)),
             forecast.conversion.end_factor > 1.0 ? "lower" : "higher"));
     }
-    if (const double height = slenderness(scene.instrument); height > 0.0 && height < 10.0) {
+    if (const double height = slenderness(scene.instrument);
+        height > 0.0 && height < 10.0 && !has_ends(scene)) {
         warnings.push_back(
             fmt::format("The gap is only {:.3g} times as high as wide: the ends that "
                         "are left out would matter in an instrument.",
