@@ -34,6 +34,9 @@ std::string wall_of_bob(unsigned side, const Point& from, const Point& to,
 
 std::string wall_of_double_gap(unsigned side, const Point& from, const Point& to,
                                const DoubleGapSection& gap, double unit) {
+    if (both_at(gap.height / unit, from.y, to.y)) {
+        return "free_surface"; // of either gap
+    }
     if (side == rotor_wall) {
         return both_at(0.0, from.y, to.y) ? "bob_edge" : "bob";
     }
@@ -64,10 +67,10 @@ geometry::MeshDomain domain_of(const SectionShape& shape) {
                                {.floor_clearance = gap.bottom_gap});
 }
 
-geometry::PatchKind kind_of(unsigned side) {
-    return side == symmetry_axis  ? geometry::PatchKind::axis
-           : side == free_surface ? geometry::PatchKind::free_surface
-                                  : geometry::PatchKind::wall;
+geometry::PatchKind kind_of(const std::string& patch) {
+    return patch == "axis"           ? geometry::PatchKind::axis
+           : patch == "free_surface" ? geometry::PatchKind::free_surface
+                                     : geometry::PatchKind::wall;
 }
 
 } // namespace
@@ -77,10 +80,7 @@ geometry::BuiltMesh named_section(const SectionShape& shape, const SectionLines&
     geometry::Mesh mesh;
     mesh.dimension = 2;
     mesh.points.resize(section.vertex_boundary.size());
-    struct Side {
-        std::array<std::uint32_t, 2> nodes; ///< the fluid on the left
-        geometry::PatchKind kind;
-    };
+    using Side = std::array<std::uint32_t, 2>; // the fluid on the left
     std::map<std::string, std::vector<Side>> sides;
     for (const SectionElement& element : section.elements) {
         const auto node = [&](std::size_t at) {
@@ -102,7 +102,7 @@ geometry::BuiltMesh named_section(const SectionShape& shape, const SectionLines&
             }
             const auto [from, to] = ends[edge];
             sides[patch_of(side, mesh.points[node(from)], mesh.points[node(to)], shape)].push_back(
-                {{node(from), node(to)}, kind_of(side)});
+                {node(from), node(to)});
         }
     }
     for (Point& point : mesh.points) {
@@ -110,11 +110,11 @@ geometry::BuiltMesh named_section(const SectionShape& shape, const SectionLines&
     }
     for (const auto& [name, members] : sides) {
         mesh.patches.push_back({.name = name,
-                                .kind = members.front().kind,
+                                .kind = kind_of(name),
                                 .first = mesh.faces.size(),
                                 .count = members.size()});
         for (const Side& side : members) {
-            mesh.faces.add(geometry::CellShape::line2, side.nodes);
+            mesh.faces.add(geometry::CellShape::line2, side);
         }
     }
     geometry::BuiltMesh built;
