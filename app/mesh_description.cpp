@@ -12,29 +12,28 @@
 namespace searle::app {
 namespace {
 
-solvers::axisymmetric::SectionLines lines_of(const geometry::DinBob& bob, const MeshNote& note) {
+using solvers::axisymmetric::SectionShape;
+
+solvers::axisymmetric::SectionLines lines_of(const SectionShape& shape, const MeshNote& note) {
     solvers::axisymmetric::SectionLines lines;
     if (note.lines.size() != lines.size())
-        throw std::runtime_error("summary.json: the mesh has not six families of lines");
+        throw std::runtime_error("summary.json: the mesh's families of lines are not complete");
     std::copy(note.lines.begin(), note.lines.end(), lines.begin());
-    for (std::size_t family = 0; family < lines.size(); ++family) {
-        using enum solvers::axisymmetric::LineFamily;
-        const bool is_above = family == static_cast<std::size_t>(over_bob) ||
-                              family == static_cast<std::size_t>(above);
-        const bool may_be_empty = is_above && bob.top_ratio == 0.0;
-        if ((lines[family].size() < 2 && !(may_be_empty && lines[family].empty())) ||
+    // The same families are empty in every division of one shape.
+    const solvers::axisymmetric::SectionLines some = solvers::axisymmetric::graded_lines(shape, {});
+    for (std::size_t family = 0; family < lines.size(); ++family)
+        if (lines[family].empty() != some[family].empty() || lines[family].size() == 1 ||
             !std::is_sorted(lines[family].begin(), lines[family].end()))
-            throw std::runtime_error("summary.json: the mesh's lines do not fit the bob");
-    }
+            throw std::runtime_error("summary.json: the mesh's lines do not fit the instrument");
     return lines;
 }
 
 } // namespace
 
-rheometry::report::MeshDescription mesh_description(const geometry::DinBob& bob,
+rheometry::report::MeshDescription mesh_description(const SectionShape& shape,
                                                     const MeshNote& note) {
     const geometry::BuiltMesh built =
-        solvers::axisymmetric::named_section(bob, lines_of(bob, note));
+        solvers::axisymmetric::named_section(shape, lines_of(shape, note));
     const geometry::MeshQuality quality = geometry::quality_of(built);
     rheometry::report::MeshDescription description;
     description.picture = geometry::mesh_picture(built.mesh, built.domain.gap, "");

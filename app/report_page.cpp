@@ -2,6 +2,7 @@
 
 #include "app/mesh_description.hpp"
 #include "app/protocol_phrase.hpp"
+#include "geometry/mesh_error.hpp"
 #include "rheometry/report/describe_fluid.hpp"
 #include "rheometry/report/report.hpp"
 
@@ -79,10 +80,14 @@ std::vector<report::Fact> facts_of(const RunSummary& summary) {
 }
 
 std::optional<report::MeshDescription> mesh_of(const RunRecord& record) {
-    const auto* const bob = std::get_if<geometry::DinBob>(&record.source.scene.instrument);
-    if (!record.summary.mesh || bob == nullptr)
+    const auto shape = solvers::axisymmetric::section_shape(record.source.scene.instrument);
+    if (!record.summary.mesh || !shape)
         return std::nullopt;
-    return mesh_description(*bob, *record.summary.mesh);
+    try {
+        return mesh_description(*shape, *record.summary.mesh);
+    } catch (const geometry::MeshError&) {
+        return std::nullopt; // a section that has no outline to be checked against
+    }
 }
 
 } // namespace

@@ -131,7 +131,7 @@ std::string summary_json(const RunSummary& summary) {
     json["mesh"] = nullptr;
     if (summary.mesh)
         json["mesh"] = {{"degree", summary.mesh->degree},
-                        {"lines_in_bob_radii", summary.mesh->lines}};
+                        {"lines_in_rotor_radii", summary.mesh->lines}};
     json["conversion"] = {{"definition", summary.conversion.definition},
                           {"stress_per_torque", summary.conversion.stress_per_torque},
                           {"rate_per_speed", summary.conversion.rate_per_speed},
@@ -205,7 +205,7 @@ RunSummary read_run_summary(std::string_view text) {
                            .files = json.at("files")};
         if (const Json mesh = json.value("mesh", Json()); !mesh.is_null())
             summary.mesh =
-                MeshNote{.degree = mesh.at("degree"), .lines = mesh.at("lines_in_bob_radii")};
+                MeshNote{.degree = mesh.at("degree"), .lines = mesh.at("lines_in_rotor_radii")};
         const Json& conversion = json.at("conversion");
         summary.conversion = {.definition = conversion.at("definition"),
                               .stress_per_torque = conversion.at("stress_per_torque"),

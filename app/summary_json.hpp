@@ -72,11 +72,12 @@ struct SolverNote {
     long unknowns{};
 };
 
-/// The division of a DIN bob's section that the torques come from: enough to make its mesh again.
+/// The division of an instrument's section that the torques come from: enough to make its mesh
+/// again.
 struct MeshNote {
     int degree{}; ///< of the polynomials on the elements
     /// Positions of the lines by family, as solvers::axisymmetric::SectionLines has them; lengths
-    /// in bob radii.
+    /// in radii of the rotor.
     std::vector<std::vector<double>> lines;
 };
 

@@ -99,7 +99,7 @@ struct Draw {
                     .gap = it.gap(),
                     .slice = {.height = height, .instrument_height = it.height()}};
         }
-        if (!(it.shaft_ratio > 0.0 && it.shaft_ratio < 1.0))
+        if (it.top_ratio > 0.0 && !(it.shaft_ratio > 0.0 && it.shaft_ratio < 1.0))
             throw MeshError(
                 fmt::format("the shaft, geometry.shaft_ratio = {:.6g}, is not thinner than "
                             "the bob",

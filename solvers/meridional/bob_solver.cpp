@@ -110,8 +110,8 @@ void apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& rep
     solution.refinements = std::max(solution.refinements, curve.levels());
     solution.unknowns = std::max(solution.unknowns, curve.unknowns());
     solution.linear_solves += curve.factorisations();
-    if (const FlowLevel* const finest = curve.finest()) {
-        report.division = {finest->lines(), finest->space().degree()};
+    if (curve.solutions() > 0) {
+        report.division = curve.division();
     }
     solution.notes.push_back(
         fmt::format("Secondary flow multiplies the steady torque by up to {:.6g} ({} solution{} of "

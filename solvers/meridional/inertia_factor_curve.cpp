@@ -82,6 +82,13 @@ std::optional<std::complex<double>> InertiaFactorCurve::disturbance_rate(double 
     return leading.rate * speed;
 }
 
+axisymmetric::SectionDivision InertiaFactorCurve::division() {
+    const FlowLevel* const finest = flow_.finest();
+    return finest == nullptr
+               ? axisymmetric::SectionDivision{}
+               : axisymmetric::SectionDivision{finest->lines(), finest->space().degree()};
+}
+
 /// Barycentric formula on Chebyshev points of the second kind, in ln speed.
 double InertiaFactorCurve::interpolated(double speed) const {
     double above = 0.0;

