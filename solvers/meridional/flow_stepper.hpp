@@ -24,7 +24,7 @@ struct StepperSettings {
     double first_step = 1e-3;   ///< tried after every begin(), > 0
     double shortest_step = 0.0; ///< a step that would have to be shorter is not taken
     /// Speed of each node of the rotor over the drive's, (node); empty: 1 everywhere.
-    Eigen::VectorXd rotor_profile;
+    Eigen::VectorXd rotor_profile{};
 };
 
 /// The flow in time: ESDIRK4(3)6L[2]SA (radial/esdirk.hpp) with the pressure as what keeps every
