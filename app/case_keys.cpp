@@ -5,7 +5,10 @@
 namespace searle::app {
 namespace {
 
-casefile::Keys<CaseAsWritten> declared_case_keys() {
+/// What the keys are for: a mesh needs neither fluid nor protocol, and no check across sections.
+enum class Use { whole_case, mesh };
+
+casefile::Keys<CaseAsWritten> declared_case_keys(Use use) {
     casefile::Keys<CaseAsWritten> keys;
     keys.key("title", &CaseAsWritten::title)
         .is_text()
@@ -14,12 +17,13 @@ casefile::Keys<CaseAsWritten> declared_case_keys() {
     keys.table("geometry", &CaseAsWritten::geometry, geometry::geometry_keys())
         .required()
         .says("The instrument.");
+    const bool is_whole = use == Use::whole_case;
     keys.table("fluid", &CaseAsWritten::fluid, solvers::fluid_keys())
-        .required()
-        .says("The fluid between the walls.");
+        .says("The fluid between the walls.")
+        .is_required = is_whole;
     keys.table("protocol", &CaseAsWritten::protocol, rheometry::protocol_keys())
-        .required()
-        .says("What the drive does, and where the rows of the result lie.");
+        .says("What the drive does, and where the rows of the result lie.")
+        .is_required = is_whole;
     keys.table("conversion", &CaseAsWritten::conversion, rheometry::conversion_keys())
         .says("From torque and speed to stress and rate.");
     keys.table("solver", &CaseAsWritten::solver, solvers::solver_keys())
@@ -39,14 +43,20 @@ casefile::Keys<CaseAsWritten> declared_case_keys() {
     keys.table("sweep", &CaseAsWritten::sweep, casefile::sweep_keys())
         .not_in_new()
         .says("Several cases in one file: each run with every combination of the varied values.");
-    add_case_checks(keys);
+    if (is_whole)
+        add_case_checks(keys);
     return keys;
 }
 
 } // namespace
 
 const casefile::Keys<CaseAsWritten>& case_keys() {
-    static const casefile::Keys<CaseAsWritten> keys = declared_case_keys();
+    static const casefile::Keys<CaseAsWritten> keys = declared_case_keys(Use::whole_case);
+    return keys;
+}
+
+const casefile::Keys<CaseAsWritten>& mesh_case_keys() {
+    static const casefile::Keys<CaseAsWritten> keys = declared_case_keys(Use::mesh);
     return keys;
 }
 

@@ -31,6 +31,9 @@ struct CaseAsWritten {
 /// Every key of a case file, and the checks that concern several sections.
 [[nodiscard]] const casefile::Keys<CaseAsWritten>& case_keys();
 
+/// The same keys for a case that is only meshed: [fluid] and [protocol] may be left out.
+[[nodiscard]] const casefile::Keys<CaseAsWritten>& mesh_case_keys();
+
 /// Fills in what depends on other sections: definition and end factor of the conversion.
 void resolve(CaseAsWritten& written);
 

@@ -136,6 +136,19 @@ std::vector<Case> cases_in(const casefile::Document& document, const std::filesy
     return cases;
 }
 
+[[noreturn]] void refuse_sweep(const casefile::Entry& sweep,
+                               const std::vector<std::string>& names) {
+    std::string shown;
+    for (const std::string& name : names)
+        if (shown.size() < 200)
+            shown += fmt::format("{}{}", shown.empty() ? "" : "  ", name);
+    throw CaseError{{{{sweep.key_place},
+                      "sweep",
+                      fmt::format("the file holds {} cases, where one is needed", names.size()),
+                      fmt::format("a file without [sweep]; its cases are {}", shown),
+                      ""}}};
+}
+
 } // namespace
 
 std::vector<Case> read_cases_text(std::string_view text, std::string_view name,
@@ -156,15 +169,37 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
     const casefile::Entry* sweep = document.root.find("sweep");
     if (!sweep)
         return std::move(cases.front());
-    std::string names;
+    std::vector<std::string> names;
     for (const Case& one : cases)
-        if (names.size() < 200)
-            names += fmt::format("{}{}", names.empty() ? "" : "  ", one.name);
-    throw CaseError{{{{sweep->key_place},
-                      "sweep",
-                      fmt::format("the file holds {} cases, where one is needed", cases.size()),
-                      fmt::format("a file without [sweep]; its cases are {}", names),
-                      ""}}};
+        names.push_back(one.name);
+    refuse_sweep(*sweep, names);
+}
+
+MeshCase read_mesh_case(const std::filesystem::path& file,
+                        const std::vector<std::string>& overrides) {
+    const casefile::Document document =
+        casefile::parse_document(casefile::read_case_text(file), file.string());
+    Complaints complaints;
+    complaints.add(document.syntax_faults);
+    const std::vector<casefile::SweptCase> trees = trees_of(document, file, overrides, complaints);
+    CaseAsWritten written;
+    std::vector<std::string> names;
+    for (const casefile::SweptCase& one : trees) {
+        casefile::Reading reading;
+        reading.reports_missing_keys = document.syntax_faults.empty();
+        reading.whole_file = case_keys().set().get();
+        casefile::read_keys(*mesh_case_keys().set(), one.root, "", &written, reading);
+        complaints.add(std::move(reading.faults));
+        names.push_back(one.name);
+    }
+    complaints.raise_if_any();
+    if (const casefile::Entry* sweep = document.root.find("sweep"))
+        refuse_sweep(*sweep, names);
+    MeshCase result{written.title, file.stem().string(), geometry::instrument_of(written.geometry),
+                    std::nullopt, written.mesh};
+    if (const auto* profile = std::get_if<geometry::Profile>(&written.geometry.instrument))
+        result.profile = *profile;
+    return result;
 }
 
 } // namespace searle::app

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,20 @@ struct Case {
 /// or that holds a sweep, is one fault.
 [[nodiscard]] Case read_case(const std::filesystem::path& file,
                              const std::vector<std::string>& overrides = {});
+
+/// What `searle mesh` needs of a case file.
+struct MeshCase {
+    std::string title;
+    std::string name; ///< the file's stem
+    geometry::Instrument instrument;
+    std::optional<geometry::Profile> profile; ///< see solvers::Scene
+    geometry::MeshSettings mesh;
+};
+
+/// Reads a case file that holds one case, whose sections [fluid] and [protocol] may be left out.
+/// Throws as read_case does.
+[[nodiscard]] MeshCase read_mesh_case(const std::filesystem::path& file,
+                                      const std::vector<std::string>& overrides = {});
 
 /// The same for a file that may hold a sweep: its cases in order, or the one case.
 [[nodiscard]] std::vector<Case> read_cases(const std::filesystem::path& file,

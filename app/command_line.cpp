@@ -152,13 +152,14 @@ private:
             add("convert", "Turn measured torque and speed into stress and rate",
                 "lab.csv --case cases/din-bob-water.toml -o rheogram.csv", options, convert);
         add_path(app, "DATA", options->data_file,
-                 "Measured data: delimited text, or a spreadsheet exported by TRIOS (.xls)")
+                 "Measured data: delimited text, a workbook (.xls, .xlsx), or JSON of TRIOS")
             ->required();
         add_path(app, "--case", options->case_file, "Case file with the instrument")->required();
         add_path(app, "-o,--output", options->output, "Table to write; default standard output");
         app->add_option_function<std::string>(
                "--step", [options](const std::string& text) { options->step = text; },
-               "Only this step of a spreadsheet, by name or number")
+               "Only this step of an export: its name, or the number that ends the name (3 for "
+               "\"Flow sweep - 3\")")
             ->type_name("STEP");
         add_overrides(app, options->overrides);
         app->add_flag("--quiet", options->quiet, "Print no remarks");
@@ -167,9 +168,10 @@ private:
         auto options = std::make_shared<FitVerbOptions>();
         CLI::App* app = add("fit", "Fit flow laws to rheograms, or through the instrument",
                             "flow-curve.csv --model all -o fit.html", options, fit_laws);
-        add_paths(app, "DATA", options->data_files,
-                  "Rheograms (CSV, exports of lab software, .xls of TRIOS, blocks); with --case "
-                  "torques and speeds")
+        add_paths(
+            app, "DATA", options->data_files,
+            "Rheograms (CSV, exports of lab software, .xls, .xlsx and JSON of TRIOS, blocks); "
+            "with --case torques and speeds")
             ->required();
         add_paths(app, "--case", options->case_files,
                   "Case of the instrument: fit the raw torques through it; once for all files or "
@@ -196,13 +198,19 @@ private:
         app->add_flag("--joint", options->joint, "One set of parameters for all curves");
         app->add_flag("--slip", options->slip,
                       "With --case: fit a wall slip too (needs two gaps and --joint)");
+        app->add_flag("--fixed-ends", options->fixed_ends,
+                      "With --case of a DIN bob: take c_L from the case; else it is computed");
+        app->add_flag("--model-free", options->model_free,
+                      "With --case: print every row of the model-free inversion");
         app->add_flag("--keep-all", options->keep_all,
                       "Keep points with lag, vortices or end flow");
         app->add_option("--predict", options->predict,
                         "Stresses with bands at these rates, 1/s: A,B,... or LOW:HIGH:COUNT")
             ->type_name("RATES");
         app->add_option("--design", options->design,
-                        "Suggest so many further points that would shrink the intervals most")
+                        "Suggest so many further points that would shrink the intervals most, for "
+                        "each of the four "
+                        "geometries")
             ->type_name("COUNT")
             ->check(CLI::Range(1, 1000));
         auto* json = app->add_flag("--json", options->json, "Print JSON");

@@ -33,21 +33,38 @@ std::string number(double value) {
 
 std::string fits_as_csv(const std::vector<CurveRecord>& curves) {
     std::string text = "curve,model,parameter,value,unit,standard_error,ci95_low,ci95_high,points,"
-                       "rms_relative,r_squared,aicc,bic,warnings\n";
+                       "rms_relative,r_squared,aicc,bic,conventional,warnings\n";
     for (const CurveRecord& curve : curves)
         for (const LawRecord& record : curve.laws) {
             std::string warnings;
             for (const std::string& warning : record.result.warnings)
                 warnings += (warnings.empty() ? "" : " | ") + warning;
-            for (const fit::Estimate& estimate : record.result.estimates)
+            for (std::size_t i = 0; i < record.result.estimates.size(); ++i) {
+                const fit::Estimate& estimate = record.result.estimates[i];
                 text += fmt::format(
-                    "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", quoted(curve.name),
+                    "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", quoted(curve.name),
                     record.result.model, estimate.parameter.key, number(estimate.value),
                     estimate.parameter.unit, number(estimate.standard_error), number(estimate.low),
                     number(estimate.high), record.result.points, number(record.result.rms_relative),
                     number(record.result.determination), number(record.result.criteria.aicc),
-                    number(record.result.criteria.bic), quoted(warnings));
+                    number(record.result.criteria.bic),
+                    i < record.conventional.size() ? number(record.conventional[i].value) : "",
+                    quoted(warnings));
+            }
         }
+    return text;
+}
+
+std::string model_free_as_csv(const std::vector<CurveRecord>& curves) {
+    std::string text = "series,line,angular_velocity_rad_s,rotor_stress_Pa,rotor_rate_1_s,"
+                       "ci95_low_1_s,ci95_high_1_s,branch,law_rate_1_s\n";
+    for (const CurveRecord& curve : curves)
+        for (const ModelFreeRecord& record : curve.model_free)
+            for (const ModelFreeRow& row : record.rows)
+                text += fmt::format("{},{},{},{},{},{},{},{},{}\n", quoted(record.series), row.line,
+                                    number(row.speed), number(row.stress), number(row.rate),
+                                    number(row.low), number(row.high), name_of(row.branch),
+                                    number(row.law_rate));
     return text;
 }
 

@@ -52,14 +52,63 @@ Json residuals(const CurveRecord& curve, const fit::FitResult& result) {
     return json;
 }
 
+Json model_free(const CurveRecord& curve) {
+    Json list = Json::array();
+    for (const ModelFreeRecord& record : curve.model_free) {
+        Json rows = Json::array();
+        for (const ModelFreeRow& row : record.rows)
+            rows.push_back({{"line", row.line},
+                            {"angular_velocity_rad_s", number(row.speed)},
+                            {"rotor_stress_Pa", number(row.stress)},
+                            {"rotor_rate_1_s", number(row.rate)},
+                            {"ci95", Json::array({number(row.low), number(row.high)})},
+                            {"branch", name_of(row.branch)},
+                            {"law_rate_1_s", number(row.law_rate)}});
+        Json json = {{"series", record.series}, {"yield_stress_Pa", nullptr}, {"rows", rows}};
+        if (record.yield_stress)
+            json["yield_stress_Pa"] = {{"value", *record.yield_stress},
+                                       {"standard_error", number(record.yield_standard_error)}};
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
+Json loops(const CurveRecord& curve) {
+    Json list = Json::array();
+    for (const LoopRecord& each : curve.loops)
+        list.push_back({{"series", each.series},
+                        {"rates_1_s", Json::array({each.loop.low_rate, each.loop.high_rate})},
+                        {"area_Pa_s", number(each.loop.measured)},
+                        {"inertial_Pa_s", number(each.loop.inertial)},
+                        {"rest_Pa_s", number(each.loop.rest())},
+                        {"standard_error_Pa_s", number(each.loop.standard_error)}});
+    return list;
+}
+
+Json ends(const LawRecord& record) {
+    Json list = Json::array();
+    for (const EndsRecord& each : record.ends)
+        list.push_back({{"series", each.series},
+                        {"end_factor", Json::array({number(each.least), number(each.most)})},
+                        {"conventional", number(each.of_case)},
+                        {"relative_error", number(each.relative_error)},
+                        {"law", each.stand_in.empty() ? record.result.model : each.stand_in}});
+    return list;
+}
+
 Json design(const fit::Design& each, const fit::FitResult& result) {
     Json points = Json::array();
-    for (const fit::DesignPoint& point : each.points)
-        points.push_back({{"shear_rate_1_s", number(point.rate)}, {"repeats", point.repeats}});
+    for (const fit::DesignPoint& point : each.points) {
+        Json entry = {{"shear_rate_1_s", number(point.rate)}, {"repeats", point.repeats}};
+        if (point.speed > 0.0)
+            entry["speed"] = number(point.speed);
+        points.push_back(std::move(entry));
+    }
     Json shrinkage = Json::object();
     for (std::size_t i = 0; i < result.estimates.size(); ++i)
         shrinkage[result.estimates[i].parameter.key] = number(each.shrinkage[i]);
-    return {{"window", each.window},
+    return {{"geometry", each.name},
+            {"rates_1_s", Json::array({number(each.low_rate), number(each.high_rate)})},
             {"points", std::move(points)},
             {"standard_error_ratio", std::move(shrinkage)},
             {"region_volume_ratio", number(each.volume_ratio)}};
@@ -88,8 +137,12 @@ Json law(const CurveRecord& curve, const LawRecord& record, bool named) {
     json["loss"] = fit::name_of(result.loss);
     json["converged"] = result.converged;
     json["warnings"] = result.warnings;
-    if (curve.through_instrument)
+    if (curve.through_instrument) {
         json["conventional"] = parameters(record.conventional);
+        json["ends"] = ends(record);
+        json["model_free"] = model_free(curve);
+        json["loops"] = loops(curve);
+    }
     if (!record.predictions.empty()) {
         Json list = Json::array();
         for (const fit::PredictedPoint& point : record.predictions)

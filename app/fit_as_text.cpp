@@ -18,6 +18,19 @@ std::string interval(const fit::Estimate& estimate) {
         std::isfinite(estimate.high) ? fmt::format("{:.4g}", estimate.high) : "no limit", "]");
 }
 
+std::string about(const EndsRecord& ends) {
+    return fmt::format("c_L computed{}: {:.4f} ... {:.4f}; the conventional route takes {:.4g}",
+                       ends.stand_in.empty() ? "" : " with the " + ends.stand_in + " law",
+                       ends.least, ends.most, ends.of_case);
+}
+
+std::string about(const LoopRecord& each) {
+    return fmt::format("loop of the ramp, {}, {:.3g} ... {:.3g} 1/s: {:.3g} Pa/s = {:.3g} inertia "
+                       "+ {:.3g} +- {:.2g} rest",
+                       each.series, each.loop.low_rate, each.loop.high_rate, each.loop.measured,
+                       each.loop.inertial, each.loop.rest(), each.loop.standard_error);
+}
+
 void add_law(std::string& text, const LawRecord& record) {
     const fit::FitResult& result = record.result;
     text += fmt::format("{}: stress = {}\n", result.model, record.law->formula);
@@ -45,6 +58,8 @@ void add_law(std::string& text, const LawRecord& record) {
         text += fmt::format("; {} runs of sign ({:.0f} expected, p = {:.2g})", result.runs->runs,
                             result.runs->expected_runs, result.runs->probability);
     text += "\n";
+    for (const EndsRecord& ends : record.ends)
+        text += fmt::format("  {}\n", about(ends));
     for (const std::string& warning : result.warnings)
         text += fmt::format("  warning: {}\n", warning);
     if (!record.predictions.empty()) {
@@ -57,8 +72,8 @@ void add_law(std::string& text, const LawRecord& record) {
                 point.extrapolated ? " extrapolated" : "");
     }
     for (const fit::Design& design : record.designs) {
-        text +=
-            fmt::format("  next points{}:", design.window.empty() ? "" : " in " + design.window);
+        text += fmt::format("  next points, {} ({:.2g} ... {:.2g} 1/s):", design.name,
+                            design.low_rate, design.high_rate);
         for (const fit::DesignPoint& point : design.points)
             text += fmt::format(" {:.3g} 1/s{}", point.rate,
                                 point.repeats > 1 ? fmt::format(" (x{})", point.repeats) : "");
@@ -69,6 +84,33 @@ void add_law(std::string& text, const LawRecord& record) {
                                     100.0 * design.shrinkage[i]);
         text += "\n";
     }
+}
+
+constexpr std::size_t rows_shown = 12;
+
+/// The inversion beside the best law; some of its rows unless all are wanted.
+void add_model_free(std::string& text, const ModelFreeRecord& record, bool all_rows) {
+    const std::size_t rows = record.rows.size();
+    text += fmt::format("  without a law{}: true rate at the rotor, with its 95 % band\n",
+                        record.series.empty() ? "" : ", " + record.series);
+    text += fmt::format("    {:>10} {:>11}   {:<23} {:>11}  branch\n", "stress Pa", "rate 1/s",
+                        "95 %", "by the law");
+    const std::size_t shown = all_rows ? rows : std::min(rows, rows_shown);
+    for (std::size_t n = 0; n < shown; ++n) {
+        const ModelFreeRow& row = record.rows[shown < 2 ? 0 : n * (rows - 1) / (shown - 1)];
+        const bool known = std::isfinite(row.rate);
+        text += fmt::format("    {:>10.5g} {:>11}   {:<23} {:>11.4g}  {}\n", row.stress,
+                            known ? fmt::format("{:.4g}", row.rate) : "-",
+                            known ? fmt::format("{:.4g} ... {:.4g}", row.low, row.high)
+                                  : "not determined",
+                            row.law_rate, name_of(row.branch));
+    }
+    if (shown < rows)
+        text += fmt::format("    ({} of {} rows; --model-free prints all)\n", shown, rows);
+    if (record.yield_stress)
+        text += fmt::format("    the slow end extrapolates to a yield stress of {:.4g} +- {:.2g} "
+                            "Pa\n",
+                            *record.yield_stress, record.yield_standard_error);
 }
 
 void add_ranking(std::string& text, const CurveRecord& curve) {
@@ -119,11 +161,27 @@ std::string batch(const std::vector<CurveRecord>& curves) {
 
 } // namespace
 
-std::string fits_as_text(const std::vector<CurveRecord>& curves) {
+std::vector<std::string> notes_on(const CurveRecord& curve) {
+    std::vector<std::string> notes;
+    if (!curve.laws.empty())
+        for (const EndsRecord& ends : curve.laws.front().ends)
+            notes.push_back(about(ends) + ".");
+    for (const ModelFreeRecord& record : curve.model_free)
+        if (record.yield_stress)
+            notes.push_back(fmt::format("Without a law the slow end of {} extrapolates to a yield "
+                                        "stress of {:.4g} +- {:.2g} Pa.",
+                                        record.series, *record.yield_stress,
+                                        record.yield_standard_error));
+    for (const LoopRecord& each : curve.loops)
+        notes.push_back(about(each) + ".");
+    return notes;
+}
+
+std::string fits_as_text(const std::vector<CurveRecord>& curves, bool all_rows) {
     const bool many = curves.size() > 3 &&
                       std::all_of(curves.begin(), curves.end(),
                                   [](const CurveRecord& curve) { return curve.laws.size() <= 1; });
-    if (many)
+    if (many && !all_rows)
         return batch(curves);
     std::string text;
     for (const CurveRecord& curve : curves) {
@@ -134,6 +192,11 @@ std::string fits_as_text(const std::vector<CurveRecord>& curves) {
             add_ranking(text, curve);
         for (const LawRecord& record : curve.laws)
             add_law(text, record);
+        for (const ModelFreeRecord& record : curve.model_free)
+            if (!curve.laws.empty())
+                add_model_free(text, record, all_rows);
+        for (const LoopRecord& each : curve.loops)
+            text += fmt::format("  {}\n", about(each));
     }
     return text;
 }

@@ -4,10 +4,12 @@
 #include "app/usage_error.hpp"
 #include "rheometry/fit/fit.hpp"
 #include "rheometry/tables/flow_curves.hpp"
+#include "solvers/fit_instrument/geometry_candidates.hpp"
 
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <limits>
 #include <map>
 
 namespace searle::app {
@@ -36,7 +38,24 @@ std::vector<rheometry::FlowCurveTable> read_all(const FitVerbOptions& options) {
     return {joined};
 }
 
-/// The points left out, counted by reason, with the lines of the first few.
+/// A decade beyond the data on either side, with the instrument that they come from; and the four
+/// geometries.
+std::vector<fit::Candidates> candidates_for(const fit::Model& law, const fit::FitResult& result,
+                                            const fit::FlowData& data) {
+    fit::Candidates same{"as measured",
+                         fit::spread_rates(0.1 * data.rates.front(), 10.0 * data.rates.back(), 121),
+                         {},
+                         {}};
+    same.sensitivities = fit::sensitivities(fit::FlowCurveModel(law, same.rates), result);
+    std::vector<fit::Candidates> sets{std::move(same)};
+    constexpr double density = std::numeric_limits<double>::quiet_NaN();
+    for (const auto& choice : solvers::fit_instrument::usual_geometries({}))
+        sets.push_back(solvers::fit_instrument::candidates_of(choice, law, result, density, true));
+    return sets;
+}
+
+} // namespace
+
 void tell_of_excluded(const CurveRecord& curve) {
     struct Left {
         std::size_t count{};
@@ -57,13 +76,6 @@ void tell_of_excluded(const CurveRecord& curve) {
                                                           left.count > 5 ? ", ..." : ""),
                          reason));
 }
-
-std::vector<fit::RateWindow> windows_for(const fit::FlowData& data) {
-    // A decade beyond the data on either side: what another setting of the same drive may reach.
-    return {{"", {0.1 * data.rates.front(), 10.0 * data.rates.back()}}};
-}
-
-} // namespace
 
 std::vector<CurveRecord> fit_curves(const FitVerbOptions& options) {
     const std::vector<fit::Model> laws = laws_of(options.model);
@@ -89,8 +101,12 @@ std::vector<CurveRecord> fit_curves(const FitVerbOptions& options) {
                 if (!rates.empty())
                     law.predictions = fit::predict(*law.law, result, record.data, rates);
                 if (options.design)
-                    law.designs = fit::suggest_windows(*law.law, result, windows_for(record.data),
-                                                       static_cast<std::size_t>(*options.design));
+                    law.designs = fit::suggest_designs(
+                        result,
+                        fit::sensitivities(fit::FlowCurveModel(*law.law, record.data.rates),
+                                           result),
+                        candidates_for(*law.law, result, record.data),
+                        static_cast<std::size_t>(*options.design));
                 law.result = std::move(result);
                 record.laws.push_back(std::move(law));
             }

@@ -1,163 +1,143 @@
 #include "app/fit_through_instrument.hpp"
 
-#include "app/case_reader.hpp"
+#include "app/fit_curves.hpp"
 #include "app/fit_options.hpp"
+#include "app/instrument_series.hpp"
+#include "app/model_free.hpp"
+#include "app/progress_line.hpp"
 #include "app/usage_error.hpp"
 #include "rheometry/fit/fit.hpp"
-#include "rheometry/tables/measured_data.hpp"
-#include "solvers/fit_instrument/fit_instrument.hpp"
-#include "solvers/stability/taylor_threshold.hpp"
+#include "solvers/fit_instrument/geometry_candidates.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
-#include <optional>
 
 namespace searle::app {
 namespace {
 
 namespace through = solvers::fit_instrument;
 
-void tell(const std::string& line) { std::fputs((line + "\n").c_str(), stderr); }
-
-/// Rows of one file with the instrument they come from, before anything is left out.
-struct Series {
-    std::string name;
-    solvers::Scene scene;
-    rheometry::Conversion conversion;
-    std::vector<double> speeds;
-    std::vector<double> torques;
+/// What the options ask of every law.
+struct Asked {
+    fit::FitOptions how;
+    bool slip{};
+    bool computed_ends{};
+    std::vector<double> rates;
+    std::size_t design{};
 };
 
-/// Bob and gap where Taylor vortices are known to start.
-struct OuterGap {
-    double radius{};
-    double width{};
-};
-
-std::optional<OuterGap> outer_gap(const geometry::Instrument& instrument) {
-    if (const auto* gap = std::get_if<geometry::ConcentricCylinders>(&instrument))
-        return OuterGap{gap->bob_radius, gap->gap()};
-    if (const auto* bob = std::get_if<geometry::DinBob>(&instrument))
-        return OuterGap{bob->bob_radius, bob->gap()};
-    if (const auto* gaps = std::get_if<geometry::DoubleGap>(&instrument))
-        return OuterGap{gaps->radii[2], gaps->outer_gap()};
-    return std::nullopt;
-}
-
-/// Re over its critical value, with the apparent viscosity of the row.
-double taylor_ratio(const Series& series, double speed, double torque) {
-    const auto gap = outer_gap(series.scene.instrument);
-    if (!gap || !(torque > 0.0))
-        return 0.0;
-    const double viscosity =
-        series.conversion.shear_stress(torque) / series.conversion.shear_rate(speed);
-    const double reynolds =
-        gap->radius * speed * gap->width * series.scene.fluid.density / viscosity;
-    return reynolds / solvers::stability::taylor_threshold(gap->width / gap->radius).reynolds;
-}
-
-std::vector<Series> read_series(const FitVerbOptions& options) {
-    if (options.case_files.size() != 1 && options.case_files.size() != options.data_files.size())
-        throw UsageError(fmt::format("--case: {} cases for {} data files; give one case for all, "
-                                     "or one per file in the same order",
-                                     options.case_files.size(), options.data_files.size()));
-    std::vector<Series> all;
-    for (std::size_t i = 0; i < options.data_files.size(); ++i) {
-        const auto& case_file =
-            options.case_files.size() == 1 ? options.case_files.front() : options.case_files[i];
-        const Case read = read_case(case_file, options.overrides);
-        const rheometry::Conversion conversion =
-            rheometry::conversion_for(read.scene.instrument, read.scene.conversion);
-        if (conversion.end_factor_provisional)
-            tell(fmt::format("{}: no end factor can be computed for a fluid that is yet to be "
-                             "found; c_L = {} is used",
-                             case_file.string(), conversion.end_factor));
-        const auto motion = geometry::rotates(read.scene.instrument)
-                                ? rheometry::DriveMotion::turning
-                                : rheometry::DriveMotion::sliding;
-        rheometry::MeasuredData data = rheometry::read_measured_data(options.data_files[i], motion);
-        for (const std::string& remark : data.remarks)
-            tell(fmt::format("{}: {}", options.data_files[i].string(), remark));
-        for (rheometry::MeasuredStep& step : data.steps) {
-            std::string name = options.data_files[i].stem().string();
-            if (!step.name.empty())
-                name = fmt::format("{}: {}", name, step.name);
-            if (options.curve && name.find(*options.curve) == std::string::npos)
-                continue;
-            all.push_back({std::move(name), read.scene, conversion, std::move(step.speed),
-                           std::move(step.torque)});
-        }
+std::vector<EndsRecord> ends_of(const through::InstrumentFit& done,
+                                const PreparedSeries& prepared) {
+    std::vector<EndsRecord> records;
+    for (const through::ComputedEnds& ends : done.ends) {
+        const auto [least, most] = std::ranges::minmax(ends.values);
+        const InstrumentSeries& series = *prepared.series[ends.measurement];
+        records.push_back({.series = series.name,
+                           .least = least,
+                           .most = most,
+                           .of_case = series.conversion.end_factor,
+                           .relative_error = ends.relative_error,
+                           .stand_in = ends.stand_in});
     }
-    if (all.empty())
-        throw UsageError(
-            fmt::format("--curve: no step's name holds \"{}\"", options.curve.value_or("")));
-    return all;
+    return records;
 }
 
-/// Rows that can be used, by instrument, and the curve that the conversion makes of them.
-struct Prepared {
-    std::vector<through::Measurement> measurements;
-    std::vector<fit::MeasuredPoint> points; ///< usable ones
-    std::vector<fit::ExcludedPoint> excluded;
-};
-
-void add_series(Prepared& prepared, const Series& series, const fit::Selection& selection) {
-    through::Measurement measurement{
-        series.scene.instrument, {series.conversion.end_factor}, {}, {}};
-    if (std::holds_alternative<geometry::Box>(series.scene.instrument))
-        measurement.end_factors = {1.0};
-    std::vector<fit::MeasuredPoint> points;
-    for (std::size_t k = 0; k < series.speeds.size(); ++k) {
-        const double speed = std::abs(series.speeds[k]);
-        const double torque = std::copysign(1.0, series.speeds[k]) * series.torques[k];
-        const bool vortices =
-            speed > 0.0 && torque > 0.0 && taylor_ratio(series, speed, torque) > 1.0;
-        points.push_back({.rate = series.conversion.shear_rate(series.speeds[k]),
-                          .stress = series.conversion.shear_stress(series.torques[k]),
-                          .deviation = std::numeric_limits<double>::quiet_NaN(),
-                          .line = k + 1,
-                          .regime = vortices ? "taylor-vortices" : ""});
-    }
-    const fit::FlowData usable = fit::select_points(points, selection);
-    prepared.excluded.insert(prepared.excluded.end(), usable.excluded.begin(),
-                             usable.excluded.end());
-    for (const std::size_t line : usable.lines) {
-        prepared.points.push_back(points[line - 1]);
-        measurement.speeds.push_back(std::abs(series.speeds[line - 1]));
-        measurement.torques.push_back(std::abs(series.torques[line - 1]));
-    }
-    if (!measurement.speeds.empty())
-        prepared.measurements.push_back(std::move(measurement));
+/// Pa per unit observed, of the first instrument with the ends as computed.
+double stress_per_torque(const through::InstrumentFit& done, const PreparedSeries& prepared) {
+    const InstrumentSeries& series = *prepared.series.front();
+    return series.conversion.stress_per_torque * series.conversion.end_factor /
+           done.measurements.front().end_factors.front();
 }
 
-CurveRecord fit_prepared(const std::string& name, const Prepared& prepared,
-                         const FitVerbOptions& options) {
+std::vector<fit::Candidates> candidates_for(const fit::Model& law, const fit::FitResult& result,
+                                            const PreparedSeries& prepared) {
+    std::vector<geometry::Instrument> own;
+    for (const InstrumentSeries* series : prepared.series)
+        own.push_back(series->scene.instrument);
+    std::vector<fit::Candidates> sets;
+    for (const through::GeometryChoice& choice : through::usual_geometries(own))
+        sets.push_back(through::candidates_of(choice, law, result,
+                                              prepared.series.front()->scene.fluid.density, false));
+    return sets;
+}
+
+LawRecord fit_law(const fit::Model& law, const PreparedSeries& prepared, CurveRecord& record,
+                  const Asked& asked) {
+    ProgressLine line(false);
+    line.set_prefix(std::string(law.name) + ": ");
+    const through::InstrumentEffects effects{
+        .ends = asked.computed_ends,
+        .density = prepared.series.front()->scene.fluid.density,
+        .history = prepared.runs,
+        .progress = [&](double fraction, std::string_view stage) { line.show(fraction, stage); }};
+    through::InstrumentFit done = through::fit_through(law, prepared.measurements, record.data,
+                                                       asked.how, asked.slip, effects);
+    LawRecord each;
+    each.law = fit::model_named(law.name);
+    each.conventional = done.conventional->estimates;
+    each.ends = ends_of(done, prepared);
+    const fit::FitResult as_curve = fit::law_part(
+        done.result, law.size(), stress_per_torque(done, prepared), record.data.rates);
+    if (!asked.rates.empty())
+        each.predictions = fit::predict(*each.law, as_curve, record.data, asked.rates);
+    each.curve = fit::predict(
+        *each.law, as_curve, record.data,
+        fit::spread_rates(0.5 * record.data.rates.front(), 2.0 * record.data.rates.back(), 121));
+    if (asked.design > 0) {
+        const through::InstrumentForward forward(law, done.measurements, asked.slip);
+        each.designs =
+            fit::suggest_designs(done.result, fit::sensitivities(forward, done.result),
+                                 candidates_for(law, done.result, prepared), asked.design);
+    }
+    add_model_free(record, law, done, prepared);
+    std::vector<std::string> warnings = record.data.remarks;
+    for (const EndsRecord& ends : each.ends)
+        if (ends.relative_error > 3e-3)
+            warnings.push_back(fmt::format("{}: c_L is known to {:.1g} % only", ends.series,
+                                           100.0 * ends.relative_error));
+    // Two ways with a loop between them are no curve that falls here and there.
+    if (!record.loops.empty())
+        std::erase_if(warnings, [](const std::string& warning) {
+            return warning.starts_with("the stress falls");
+        });
+    for (const std::string& warning : loop_warnings(record))
+        warnings.push_back(warning);
+    each.result = std::move(done.result);
+    each.result.warnings.insert(each.result.warnings.begin(), warnings.begin(), warnings.end());
+    return each;
+}
+
+CurveRecord fit_prepared(const std::string& name, const PreparedSeries& prepared,
+                         const FitVerbOptions& options, const Asked& asked) {
     CurveRecord record;
     record.name = name;
     record.through_instrument = true;
+    for (const fit::MeasuredPoint& point : prepared.points)
+        record.observed_rates.push_back(std::abs(point.rate));
+    for (const through::Measurement& measurement : prepared.measurements)
+        record.observed.insert(record.observed.end(), measurement.torques.begin(),
+                               measurement.torques.end());
     fit::Selection all;
     all.keep_disturbed = true;
     record.data = fit::select_points(prepared.points, all);
     record.data.excluded = prepared.excluded;
-    if (!prepared.excluded.empty())
-        tell(fmt::format("{}: left out {} rows; the first, row {}: {}", name,
-                         prepared.excluded.size(), prepared.excluded.front().point.line,
-                         prepared.excluded.front().reason));
+    record.data.remarks.insert(record.data.remarks.begin(), prepared.remarks.begin(),
+                               prepared.remarks.end());
+    tell_of_excluded(record);
+    if (prepared.measurements.empty()) {
+        record.failure =
+            prepared.excluded.empty()
+                ? std::string("there are no rows")
+                : fmt::format("none of the {} rows can be used; the first: {}",
+                              prepared.excluded.size(), prepared.excluded.front().reason);
+        return record;
+    }
     for (const fit::Model& law : laws_of(options.model)) {
         try {
-            through::InstrumentFit done = through::fit_through(
-                law, prepared.measurements, record.data, fit_options_of(options), options.slip);
-            LawRecord each;
-            each.law = fit::model_named(law.name);
-            each.conventional = done.conventional->estimates;
-            each.result = std::move(done.result);
-            each.result.warnings.insert(each.result.warnings.begin(), record.data.remarks.begin(),
-                                        record.data.remarks.end());
-            record.laws.push_back(std::move(each));
+            record.laws.push_back(fit_law(law, prepared, record, asked));
         } catch (const fit::FitError& error) {
             record.failure = error.what();
         }
@@ -174,26 +154,29 @@ CurveRecord fit_prepared(const std::string& name, const Prepared& prepared,
 } // namespace
 
 std::vector<CurveRecord> fit_through_instrument(const FitVerbOptions& options) {
-    if (options.predict || options.design)
-        throw UsageError("--predict and --design work on rheograms; convert the data first");
-    const fit::FitOptions how = fit_options_of(options);
-    if (how.weighting == fit::Weighting::custom)
+    Asked asked{.how = fit_options_of(options),
+                .slip = options.slip,
+                .computed_ends = !options.fixed_ends,
+                .rates = options.predict ? rates_of(*options.predict, "--predict")
+                                         : std::vector<double>(),
+                .design = static_cast<std::size_t>(options.design.value_or(0))};
+    if (asked.how.weighting == fit::Weighting::custom)
         throw UsageError("--weights with --case takes relative, fitted, absolute or log");
     const fit::Selection selection = selection_of(options);
-    const std::vector<Series> all = read_series(options);
+    const std::vector<InstrumentSeries> all = read_instrument_series(options);
     std::vector<CurveRecord> records;
     if (options.joint) {
-        Prepared prepared;
-        for (const Series& series : all)
+        PreparedSeries prepared;
+        for (const InstrumentSeries& series : all)
             add_series(prepared, series, selection);
         records.push_back(
-            fit_prepared(fmt::format("{} series together", all.size()), prepared, options));
+            fit_prepared(fmt::format("{} series together", all.size()), prepared, options, asked));
         return records;
     }
-    for (const Series& series : all) {
-        Prepared prepared;
+    for (const InstrumentSeries& series : all) {
+        PreparedSeries prepared;
         add_series(prepared, series, selection);
-        records.push_back(fit_prepared(series.name, prepared, options));
+        records.push_back(fit_prepared(series.name, prepared, options, asked));
     }
     return records;
 }

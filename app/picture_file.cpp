@@ -20,10 +20,13 @@ void write_text(const std::string& text, const fs::path& file) {
     std::ofstream stream(file, std::ios::binary);
     stream << text;
     stream.close();
-    if (!stream)
-        throw fs::filesystem_error(
-            "the picture cannot be written", file,
-            std::error_code(errno == 0 ? EIO : errno, std::generic_category()));
+    if (!stream) {
+        const int reason = errno == 0 ? EIO : errno;
+        std::error_code ignored;
+        fs::remove(file, ignored);
+        throw fs::filesystem_error("the picture cannot be written", file,
+                                   std::error_code(reason, std::generic_category()));
+    }
 }
 
 } // namespace

@@ -40,7 +40,7 @@ Json to_json(const CasePlan& planned) {
     Json json = {{"case", planned.source.name},
                  {"title", scene.title},
                  {"hash", planned.source.hash},
-                 {"geometry", geometry::name_of(scene.instrument)},
+                 {"geometry", scene.profile ? "profile" : geometry::name_of(scene.instrument)},
                  {"fluid", laws::flow::name_of(scene.fluid.law)},
                  {"accuracy", scene.solver.accuracy},
                  {"model", plan.model},

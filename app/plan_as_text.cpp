@@ -127,6 +127,8 @@ std::string plan_as_text(const CasePlan& planned) {
         labelled("model", plan.can_be_solved ? plan.model
                                              : plan.model + ": cannot be solved by this version");
     text += labelled("why", plan.model_reason);
+    if (plan.items.empty())
+        return text;
     text += labelled("cost", expectation(planned));
     for (const bool solved : {true, false}) {
         text += solved ? "\nsolved\n" : "\nskipped\n";

@@ -1,5 +1,6 @@
 #include "app/report_page.hpp"
 
+#include "app/mesh_description.hpp"
 #include "app/protocol_phrase.hpp"
 #include "rheometry/report/describe_fluid.hpp"
 #include "rheometry/report/report.hpp"
@@ -77,6 +78,13 @@ std::vector<report::Fact> facts_of(const RunSummary& summary) {
     return facts;
 }
 
+std::optional<report::MeshDescription> mesh_of(const RunRecord& record) {
+    const auto* const bob = std::get_if<geometry::DinBob>(&record.source.scene.instrument);
+    if (!record.summary.mesh || bob == nullptr)
+        return std::nullopt;
+    return mesh_description(*bob, *record.summary.mesh);
+}
+
 } // namespace
 
 std::string report_page(const RunRecord& record) {
@@ -100,6 +108,7 @@ std::string report_page(const RunRecord& record) {
         .remarks = {},
         .timings = {},
         .solver_facts = facts_of(summary),
+        .mesh = mesh_of(record),
         .measured = {},
         .compared_with = {},
         .csv = record.csv.size() <= largest_embedded_csv ? record.csv : "",

@@ -1,5 +1,7 @@
 #include "app/result_folder.hpp"
 
+#include "app/no_size_signal.hpp"
+
 #include "app/interrupt.hpp"
 
 #include <fmt/format.h>
@@ -73,18 +75,6 @@ public:
 
 private:
     fs::path path_;
-};
-
-/// While it lives, a write beyond the file size limit is an error and no signal.
-class NoSizeSignal {
-public:
-    NoSizeSignal() { before_ = std::signal(SIGXFSZ, SIG_IGN); }
-    ~NoSizeSignal() { std::signal(SIGXFSZ, before_); }
-    NoSizeSignal(const NoSizeSignal&) = delete;
-    NoSizeSignal& operator=(const NoSizeSignal&) = delete;
-
-private:
-    void (*before_)(int) = nullptr;
 };
 
 /// @param final_path  where the file will be in the end, for messages

@@ -77,6 +77,7 @@ RunSummary run_summary(const SolvedCase& solved, const std::string& created) {
         .rows_asked = static_cast<long>(solved.plan.rows.size()),
         .transient = solved.solution.transient,
         .solver = solver_note(solved),
+        .mesh = {},
         .conversion = {.definition = std::string(rheometry::name_of(conversion.definition)),
                        .stress_per_torque = conversion.stress_per_torque,
                        .rate_per_speed = conversion.rate_per_speed,
@@ -87,6 +88,9 @@ RunSummary run_summary(const SolvedCase& solved, const std::string& created) {
         .warnings = warnings_of(solved),
         .timings = solved.clock.stages(),
         .files = {"case.toml", "report.html", "rheogram.csv", "summary.json"}};
+    if (solved.division)
+        summary.mesh = MeshNote{solved.division->degree,
+                                {solved.division->lines.begin(), solved.division->lines.end()}};
     if (!solved.ends.empty())
         summary.files.emplace_back("end_factor.csv");
     for (std::string& name : field_file_names(solved.solution.fields))

@@ -65,6 +65,7 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
     SolvedCase solved{.source = std::move(planned.source),
                       .plan = std::move(planned.plan),
                       .solution = {},
+                      .division = {},
                       .conversion = {},
                       .rheogram = {},
                       .ends = {},
@@ -78,6 +79,8 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
             solvers::meridional::solve_bob(scene, solved.plan, progress);
         solved.solution = std::move(report.solution);
         end_factors = std::move(report.end_factor);
+        if (!report.division.lines.front().empty())
+            solved.division = std::move(report.division);
         solved.ends = std::move(report.ends);
     } else {
         solved.solution = solvers::radial::solve_radial(scene, solved.plan, progress);

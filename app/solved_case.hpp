@@ -6,10 +6,12 @@
 #include "rheometry/conversion/conversion.hpp"
 #include "rheometry/end_effect.hpp"
 #include "rheometry/rheogram.hpp"
+#include "solvers/axisymmetric/section_mesh.hpp"
 #include "solvers/plan.hpp"
 #include "solvers/progress.hpp"
 #include "solvers/radial/radial_solver.hpp"
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -37,6 +39,7 @@ struct SolvedCase {
     Case source;
     solvers::Plan plan;
     solvers::radial::RadialReport solution;
+    std::optional<solvers::axisymmetric::SectionDivision> division; ///< where a mesh was used
     rheometry::Conversion conversion;
     rheometry::Rheogram rheogram;
     /// Where the instrument's ends were solved: those of the rows that turn.

@@ -128,6 +128,10 @@ std::string summary_json(const RunSummary& summary) {
     json["rows_asked"] = summary.rows_asked;
     json["transient"] = summary.transient;
     json["solver"] = to_json(summary.solver);
+    json["mesh"] = nullptr;
+    if (summary.mesh)
+        json["mesh"] = {{"degree", summary.mesh->degree},
+                        {"lines_in_bob_radii", summary.mesh->lines}};
     json["conversion"] = {{"definition", summary.conversion.definition},
                           {"stress_per_torque", summary.conversion.stress_per_torque},
                           {"rate_per_speed", summary.conversion.rate_per_speed},
@@ -191,6 +195,7 @@ RunSummary read_run_summary(std::string_view text) {
                            .rows_asked = json.at("rows_asked"),
                            .transient = json.at("transient"),
                            .solver = solver_from(json.at("solver")),
+                           .mesh = {},
                            .conversion = {},
                            .taylor = {},
                            .regimes = json.at("regimes"),
@@ -198,6 +203,9 @@ RunSummary read_run_summary(std::string_view text) {
                            .warnings = json.at("warnings"),
                            .timings = {},
                            .files = json.at("files")};
+        if (const Json mesh = json.value("mesh", Json()); !mesh.is_null())
+            summary.mesh =
+                MeshNote{.degree = mesh.at("degree"), .lines = mesh.at("lines_in_bob_radii")};
         const Json& conversion = json.at("conversion");
         summary.conversion = {.definition = conversion.at("definition"),
                               .stress_per_torque = conversion.at("stress_per_torque"),

@@ -72,6 +72,14 @@ struct SolverNote {
     long unknowns{};
 };
 
+/// The division of a DIN bob's section that the torques come from: enough to make its mesh again.
+struct MeshNote {
+    int degree{}; ///< of the polynomials on the elements
+    /// Positions of the lines by family, as solvers::axisymmetric::SectionLines has them; lengths
+    /// in bob radii.
+    std::vector<std::vector<double>> lines;
+};
+
 /// summary.json of one run.
 struct RunSummary {
     std::string title;
@@ -83,6 +91,7 @@ struct RunSummary {
     long rows_asked{};
     bool transient{};
     SolverNote solver;
+    std::optional<MeshNote> mesh; ///< absent where the model needs none
     ConversionNote conversion;
     std::optional<TaylorNumbers> taylor;
     std::map<std::string, long> regimes; ///< rows by regime

@@ -5,11 +5,13 @@
 #include "app/result_folder.hpp"
 #include "rheometry/converted_step.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <iostream>
+#include <stdexcept>
 #include <system_error>
 
 namespace searle::app {
@@ -57,25 +59,32 @@ void check_output(const ConvertOptions& options) {
         refuse(fmt::format("there is no folder {}", parent.string()));
 }
 
-/// "Flow sweep - 3" for the whole name, or for the number that ends it.
-bool is_called(const MeasuredStep& step, const std::string& wanted) {
-    return step.name == wanted || step.name.ends_with(" - " + wanted);
-}
-
+/// "Flow sweep - 3" for the whole name, or "3" for the number that ends it, which counts all steps
+/// of the export, those that cannot be converted included.
 void keep_only(MeasuredData& data, const std::string& wanted, const fs::path& file) {
     std::vector<std::string> names;
     for (const MeasuredStep& step : data.steps)
         names.push_back(fmt::format("\"{}\"", step.name));
-    std::erase_if(data.steps,
-                  [&wanted](const MeasuredStep& step) { return !is_called(step, wanted); });
-    if (data.steps.empty())
+    const bool by_name = std::ranges::any_of(
+        data.steps, [&](const MeasuredStep& step) { return step.name == wanted; });
+    std::erase_if(data.steps, [&](const MeasuredStep& step) {
+        return by_name ? step.name != wanted : !step.name.ends_with(" - " + wanted);
+    });
+    const auto refuse = [&](std::string_view reason) {
         throw rheometry::TableError(
-            file.string(), {{0,
-                             {},
-                             fmt::format("--step {}: there is no such step; allowed: {}", wanted,
-                                         names == std::vector<std::string>{"\"\""}
-                                             ? "none, since the file is a plain table"
-                                             : fmt::format("{}", fmt::join(names, ", ")))}});
+            file.string(),
+            {{0,
+              {},
+              fmt::format("--step {}: {}; allowed: {}", wanted, reason,
+                          names == std::vector<std::string>{"\"\""}
+                              ? "none, since the file is a plain table"
+                              : fmt::format("{}, or the number that ends one of these names",
+                                            fmt::join(names, ", ")))}});
+    };
+    if (data.steps.empty())
+        refuse("there is no such step");
+    if (data.steps.size() > 1)
+        refuse(fmt::format("{} steps have this number", data.steps.size()));
 }
 
 /// Bob and cup of the case, where it has one of each.
@@ -129,6 +138,11 @@ std::vector<std::string> remarks_on(const ConvertedStep& step) {
     };
     compare("stress", step.stress_difference);
     compare("rate", step.rate_difference);
+    if (step.disturbed_rows > 0)
+        remarks.push_back(fmt::format(
+            "{}{} of {} rows carry lag, vortices or end flow (column regime): they have no true "
+            "rate at the bob and are left out of the others'",
+            where, step.disturbed_rows, step.rheogram.points.size()));
     if (const auto& yield = step.at_rotor.rates.yield_stress)
         remarks.push_back(fmt::format("{}the slow end extrapolates to a yield stress of {:.4g} +- "
                                       "{:.2g} Pa at the bob (if the "
@@ -158,8 +172,17 @@ int convert(const ConvertOptions& options) {
         keep_only(data, *options.step, options.data_file);
 
     std::vector<ConvertedStep> steps;
-    for (const MeasuredStep& step : data.steps)
-        steps.push_back(rheometry::convert_step(step, instrument, conversion));
+    for (const MeasuredStep& step : data.steps) {
+        try {
+            steps.push_back(rheometry::convert_step(step, instrument, conversion));
+        } catch (const std::overflow_error& error) {
+            throw rheometry::TableError(
+                options.data_file.string(),
+                {{0,
+                  {},
+                  fmt::format("{}{}{}", step.name, step.name.empty() ? "" : ", ", error.what())}});
+        }
+    }
     const std::string table = rheometry::converted_csv(steps, instrument, conversion);
 
     tell(options, {fmt::format("{}: {}", geometry::name_of(instrument),

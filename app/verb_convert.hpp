@@ -15,8 +15,8 @@ struct ConvertOptions {
     /// Where the table goes; absent: stdout. A file that is there is replaced, as a whole, at the
     /// end.
     std::optional<std::filesystem::path> output;
-    /// Only this step of a spreadsheet: its name, or its number as in the name ("3" for "Flow sweep
-    /// - 3").
+    /// Only this step of an export: its name, or the number that ends it ("3" for "Flow sweep -
+    /// 3").
     std::optional<std::string> step;
     bool quiet = false; ///< no remarks on stderr
 };

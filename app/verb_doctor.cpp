@@ -3,6 +3,7 @@
 #include "app/exit_code.hpp"
 #include "app/versions.hpp"
 #include "casefile/unit.hpp"
+#include "geometry/unstructured/triangulation.hpp"
 
 #include <fmt/format.h>
 
@@ -72,6 +73,52 @@ std::string line_for(const OptionalTool& tool) {
                        tool.package, tool.use);
 }
 
+/// What a shell command prints in its first line; empty when it fails.
+std::string first_line_of(const std::string& command) {
+    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+    std::array<char, 256> part{};
+    if (!pipe || std::fgets(part.data(), part.size(), pipe.get()) == nullptr)
+        return "";
+    std::string line = part.data();
+    while (!line.empty() && line.back() == '\n')
+        line.pop_back();
+    return line;
+}
+
+/// meshio is a module of Python, with modules of its own for some formats.
+std::string line_for_meshio() {
+    constexpr std::string_view use = "meshes as .xdmf .inp .su2 .med and others";
+    for (const char* python : {"/usr/bin/python3", "python3"}) {
+        const std::string version = first_line_of(
+            fmt::format("{} -c 'import meshio; print(meshio.__version__)' 2>/dev/null", python));
+        if (version.empty())
+            continue;
+        std::string text = fmt::format("  {:<14} {} of {} ({})\n", "meshio", version, python, use);
+        for (const auto& [module, package, format] :
+             {std::array<const char*, 3>{"h5py", "python3-h5py", ".med, and .xdmf without text"},
+              std::array<const char*, 3>{"netCDF4", "python3-netcdf4", ".e .exo .ex2"}})
+            if (first_line_of(
+                    fmt::format("{} -c 'import {}; print(1)' 2>/dev/null", python, module))
+                    .empty())
+                text += fmt::format("  {:<14} missing; to get it: apt-get install {} ({})\n",
+                                    module, package, format);
+        return text;
+    }
+    return fmt::format("  {:<14} missing; to get it: apt-get install python3-meshio python3-h5py "
+                       "({})\n",
+                       "meshio", use);
+}
+
+std::string line_for_gmsh() {
+    constexpr std::string_view use = "triangles and tetrahedra";
+    if (!geometry::can_triangulate())
+        return fmt::format("  {:<14} missing; to get it: apt-get install libgmsh-dev, and build "
+                           "Searle again ({})\n",
+                           "gmsh", use);
+    const std::string version = package_version("libgmsh-dev");
+    return fmt::format("  {:<14} {} ({})\n", "gmsh", version.empty() ? "is there" : version, use);
+}
+
 /// The file of units is read when the program runs, so it can be missing although all was built.
 bool units_can_be_read() {
     try {
@@ -85,12 +132,14 @@ bool units_can_be_read() {
 } // namespace
 
 int doctor() {
-    std::string text = fmt::format("searle {} ({})\n\nEngines\n", program_version(), compiler());
+    std::string text =
+        fmt::format("searle {} ({})\n\nEngines and tools\n", program_version(), compiler());
     text += fmt::format(
         "  {:<14} {}: single gap, double gap, box, DIN bob with its ends; {} processors\n",
         "native", program_version(), std::thread::hardware_concurrency());
     for (const OptionalTool& tool : optional_tools)
         text += line_for(tool);
+    text += line_for_gmsh() + line_for_meshio();
     text += "\nLibraries (built in)\n";
     for (const auto& [name, version] : library_versions())
         text += fmt::format("  {:<14} {}\n", name, version);

@@ -23,9 +23,16 @@ std::string page_of(const std::vector<CurveRecord>& curves) {
     rheometry::report::FitPageInput input;
     input.program_version = std::string(program_version());
     for (const CurveRecord& curve : curves) {
-        rheometry::report::FittedCurve shown{curve.name, curve.data, {}, curve.failure};
+        rheometry::report::FittedCurve shown{
+            .name = curve.name, .data = curve.data, .laws = {}, .failure = curve.failure};
         for (const LawRecord& law : curve.laws)
-            shown.laws.push_back({law.law, law.result});
+            shown.laws.push_back({law.law, law.result, law.conventional, law.curve});
+        for (const ModelFreeRecord& record : curve.model_free)
+            for (const ModelFreeRow& row : record.rows)
+                shown.rotor_points.push_back({row.stress, row.rate, row.low, row.high});
+        shown.observed = curve.observed;
+        shown.observed_rates = curve.observed_rates;
+        shown.notes = notes_on(curve);
         input.curves.push_back(std::move(shown));
     }
     return rheometry::report::render_fit_page(input);
@@ -55,6 +62,12 @@ void check_outputs(const FitVerbOptions& options) {
 
 int fit_laws(const FitVerbOptions& options) {
     check_outputs(options);
+    if (options.case_files.empty() && (options.slip || options.fixed_ends || options.model_free))
+        throw UsageError(
+            fmt::format("{} needs --case: it works on raw torques through the instrument",
+                        options.slip         ? "--slip"
+                        : options.fixed_ends ? "--fixed-ends"
+                                             : "--model-free"));
     const bool several_laws = laws_of(options.model).size() > 1;
     const std::vector<CurveRecord> curves =
         options.case_files.empty() ? fit_curves(options) : fit_through_instrument(options);
@@ -69,9 +82,11 @@ int fit_laws(const FitVerbOptions& options) {
     if (options.json)
         std::cout << fits_as_json(curves, several_laws);
     else if (options.csv)
-        std::cout << (options.predict ? predictions_as_csv(curves) : fits_as_csv(curves));
+        std::cout << (options.predict      ? predictions_as_csv(curves)
+                      : options.model_free ? model_free_as_csv(curves)
+                                           : fits_as_csv(curves));
     else
-        std::cout << fits_as_text(curves);
+        std::cout << fits_as_text(curves, options.model_free);
     const bool any = std::any_of(curves.begin(), curves.end(),
                                  [](const CurveRecord& curve) { return curve.failure.empty(); });
     if (!any) {

@@ -22,7 +22,9 @@ struct FitVerbOptions {
     std::optional<std::string> curve; ///< only curves whose name holds this text
     bool joint = false;               ///< all data with one set of parameters
     bool slip = false;                ///< with case files: fit a wall slip as well
+    bool fixed_ends = false;          ///< with case files: c_L of the case, not computed
     bool keep_all = false;            ///< points in disturbed regimes too
+    bool model_free = false;          ///< with case files: all rows of the model-free inversion
     bool json = false;
     bool csv = false;
     std::optional<std::string> predict; ///< "RATE,RATE,..." or "LOW:HIGH:COUNT", 1/s

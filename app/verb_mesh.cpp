@@ -3,6 +3,7 @@
 #include "app/case_reader.hpp"
 #include "app/exit_code.hpp"
 #include "app/mesh_table.hpp"
+#include "app/no_size_signal.hpp"
 #include "app/picture_file.hpp"
 #include "casefile/nearest_name.hpp"
 #include "geometry/mesh_error.hpp"
@@ -12,7 +13,9 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <fcntl.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -53,12 +56,22 @@ void check_place(const fs::path& file) {
     if (!fs::is_directory(folder))
         throw geometry::MeshError(
             fmt::format("{}: there is no folder {}", file.string(), folder.string()));
-    if (access(folder.c_str(), W_OK | X_OK) != 0)
+    if (!is_folder && fs::is_directory(file))
+        return check_place(file / "");
+    // The superuser may write everywhere, but not every folder takes files: only trying tells.
+    const fs::path probe = folder / fmt::format(".searle-{}", getpid());
+    errno = 0;
+    const int opened = open(probe.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0600);
+    if (opened < 0)
         throw geometry::MeshError(fmt::format("{}: the folder {} cannot be written ({})",
                                               file.string(), folder.string(),
                                               std::generic_category().message(errno)));
-    if (!is_folder && fs::is_directory(file))
-        check_place(file / "");
+    close(opened);
+    std::error_code ignored;
+    fs::remove(probe, ignored);
+    if (!is_folder && fs::exists(file) && access(file.c_str(), W_OK) != 0)
+        throw geometry::MeshError(fmt::format("{}: cannot be written ({})", file.string(),
+                                              std::generic_category().message(errno)));
 }
 
 /// The section by itself, for the picture.
@@ -82,19 +95,24 @@ int mesh(const MeshOptions& options) {
             check_place(*picture);
         }
     check_place(options.output);
-    const Case read = read_case(options.case_file, options.overrides);
-    const solvers::Scene& scene = read.scene;
+    const MeshCase scene = read_mesh_case(options.case_file, options.overrides);
     const geometry::MeshSubject subject =
         scene.profile ? geometry::MeshSubject{*scene.profile} : subject_of(scene.instrument);
     if (options.drawing && scene.profile)
         throw geometry::MeshError("--drawing is for instruments; the --preview of a profile shows "
                                   "its outline");
     const geometry::BuiltMesh built = geometry::build_mesh(subject, scene.mesh);
-    geometry::write_mesh(built.mesh, options.output, format);
+    const NoSizeSignal no_signal;
+    const std::vector<std::string> losses =
+        geometry::write_mesh(built.mesh, options.output, format);
+    if (!options.quiet)
+        for (const std::string& loss : losses)
+            std::fputs(fmt::format("searle: {}: note: {}\n", options.output.string(), loss).c_str(),
+                       stderr);
     if (options.preview) {
         const geometry::BuiltMesh section = section_of(subject, scene.mesh);
         write_picture(geometry::mesh_picture(section.mesh, built.domain.gap,
-                                             scene.title.empty() ? read.name : scene.title),
+                                             scene.title.empty() ? scene.name : scene.title),
                       *options.preview);
     }
     if (options.drawing)

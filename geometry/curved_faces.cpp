@@ -3,6 +3,7 @@
 #include "geometry/vector3.hpp"
 
 #include <array>
+#include <span>
 
 namespace searle::geometry {
 namespace {
@@ -67,10 +68,18 @@ ShapeFunctions functions_of(CellShape shape, double u, double v) {
     }
 }
 
-constexpr std::array<double, 4> gauss_point{-0.861136311594052575, -0.339981043584856265,
-                                            0.339981043584856265, 0.861136311594052575};
-constexpr std::array<double, 4> gauss_weight{0.347854845137453857, 0.652145154862546143,
-                                             0.652145154862546143, 0.347854845137453857};
+/// Gauss's rules: of 3 points for straight faces, whose integrands are polynomials, and of 10 for
+/// curved ones, whose area is the integral of a root.
+constexpr std::array<double, 3> straight_point{-0.774596669241483377, 0.0, 0.774596669241483377};
+constexpr std::array<double, 3> straight_weight{5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
+constexpr std::array<double, 10> curved_point{
+    -0.973906528517171720, -0.865063366688984511, -0.679409568299024406, -0.433395394129247191,
+    -0.148874338981631211, 0.148874338981631211,  0.433395394129247191,  0.679409568299024406,
+    0.865063366688984511,  0.973906528517171720};
+constexpr std::array<double, 10> curved_weight{
+    0.0666713443086881376, 0.149451349150580593, 0.219086362515982044, 0.269266719309996355,
+    0.295524224714752870,  0.295524224714752870, 0.269266719309996355, 0.219086362515982044,
+    0.149451349150580593,  0.0666713443086881376};
 
 } // namespace
 
@@ -80,11 +89,16 @@ SurfaceMeasures surface_measures_of(const Mesh& mesh, const Patch& patch) {
         const CellShape shape = mesh.faces.shape(face);
         const auto nodes = mesh.faces.nodes(face);
         const bool is_triangle = corner_count(shape) == 3;
-        for (std::size_t i = 0; i < 4; ++i)
-            for (std::size_t j = 0; j < 4; ++j) {
-                double u = gauss_point[i];
-                double v = gauss_point[j];
-                double weight = gauss_weight[i] * gauss_weight[j];
+        const bool is_curved = shape != straight(shape);
+        const std::span<const double> point_at =
+            is_curved ? std::span<const double>{curved_point} : straight_point;
+        const std::span<const double> weight_at =
+            is_curved ? std::span<const double>{curved_weight} : straight_weight;
+        for (std::size_t i = 0; i < point_at.size(); ++i)
+            for (std::size_t j = 0; j < point_at.size(); ++j) {
+                double u = point_at[i];
+                double v = point_at[j];
+                double weight = weight_at[i] * weight_at[j];
                 if (is_triangle) { // the square folded onto the triangle
                     const double a = 0.5 * (1 + u);
                     const double b = 0.5 * (1 + v);

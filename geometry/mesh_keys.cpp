@@ -104,6 +104,14 @@ void declare_cells(casefile::Keys<MeshSettings>& keys) {
         .example("2")
         .or_absent_as("auto", "as the model needs")
         .says("Order of the cells: 1 straight, 2 curved along the walls.");
+    keys.choice("rotor_walls", &MeshSettings::rotor_walls,
+                std::vector<casefile::Named<RotorWalls>>{
+                    {"together", RotorWalls::together, "one patch, bob"},
+                    {"separate", RotorWalls::separate,
+                     "bob_inner and bob_outer, for the torque of each wall"}})
+        .example("separate")
+        .or_absent_as("auto", "together")
+        .says("Patches of a double gap's rotor.");
     keys.choice("vertices", &MeshSettings::vertices,
                 std::vector<casefile::Named<VertexRadius>>{
                     {"wall", VertexRadius::wall, "on the true radii"},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <string_view>
 #include <unordered_set>
 #include <vector>
 
@@ -13,15 +14,38 @@ namespace {
 
 constexpr double panel_height = 640;
 constexpr double most_panel_width = 560;
+/// A section that would be narrower is stretched across.
+constexpr double least_panel_width = 110;
 constexpr double margin = 24;
 constexpr double title_height = 34;
 constexpr double legend_width = 170;
+/// Widest detail, in gaps.
+constexpr double most_detail = 8.0;
 /// More lines than this are one grey area at any size of screen.
 constexpr std::size_t most_lines = 400'000;
 
-// Colours that stay apart for colour-blind readers (Okabe and Ito), walls that turn first.
-constexpr std::array patch_colours{"#d55e00", "#0072b2", "#009e73", "#e69f00", "#cc79a7",
-                                   "#56b4e9", "#8c564b", "#000000", "#f0e442", "#7f7f7f"};
+// Colours that stay apart for colour-blind readers (Okabe and Ito). A name has the same colour in
+// every picture; names that are not listed take the last ones in turn.
+struct NamedColour {
+    std::string_view patch;
+    const char* colour;
+};
+constexpr std::array named_colours{
+    NamedColour{"bob", "#d55e00"},          NamedColour{"bob_inner", "#d55e00"},
+    NamedColour{"bob_outer", "#8c564b"},    NamedColour{"bob_cone", "#e69f00"},
+    NamedColour{"bob_edge", "#e69f00"},     NamedColour{"bob_top", "#cc79a7"},
+    NamedColour{"shaft", "#8c564b"},        NamedColour{"cup", "#0072b2"},
+    NamedColour{"cup_floor", "#009e73"},    NamedColour{"post", "#000000"},
+    NamedColour{"free_surface", "#56b4e9"}, NamedColour{"axis", "#000000"},
+    NamedColour{"slice_bottom", "#009e73"}, NamedColour{"slice_top", "#56b4e9"}};
+constexpr std::array further_colours{"#cc79a7", "#8c564b", "#f0e442", "#7f7f7f"};
+
+const char* colour_of(std::string_view patch, std::size_t number) {
+    for (const NamedColour& named : named_colours)
+        if (named.patch == patch)
+            return named.colour;
+    return further_colours[number % further_colours.size()];
+}
 
 struct Window {
     double left{};
@@ -43,16 +67,19 @@ class Panel {
 public:
     Panel(const Mesh& mesh, const Window& window, double x, int number)
         : mesh_{mesh}, window_{window}, x_{x}, number_{number},
-          scale_{std::min(panel_height / window.height, most_panel_width / window.width)} {}
+          scale_{std::min(panel_height / window.height, most_panel_width / window.width)},
+          stretch_{std::max(1.0, least_panel_width / (scale_ * window.width))} {}
 
-    [[nodiscard]] double width() const { return scale_ * window_.width; }
+    [[nodiscard]] double width() const { return scale_ * stretch_ * window_.width; }
+    /// Of lengths across over lengths along; 1: to scale.
+    [[nodiscard]] double stretch() const { return stretch_; }
     [[nodiscard]] double height() const { return scale_ * window_.height; }
     [[nodiscard]] double scale() const { return scale_; }
 
     [[nodiscard]] std::string svg() const {
         std::string text = fmt::format(
-            "<clipPath id=\"panel{0}\"><rect x=\"{1:.2f}\" y=\"{2:.2f}\" width=\"{3:.2f}\" "
-            "height=\"{4:.2f}\"/></clipPath>\n<g clip-path=\"url(#panel{0})\">\n",
+            "<clipPath id=\"mesh-panel{0}\"><rect x=\"{1:.2f}\" y=\"{2:.2f}\" width=\"{3:.2f}\" "
+            "height=\"{4:.2f}\"/></clipPath>\n<g clip-path=\"url(#mesh-panel{0})\">\n",
             number_, x_ - 3, title_height - 3, width() + 6, height() + 6);
         text += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"#555\" stroke-width=\"0.5\"/>\n",
                             grid());
@@ -60,7 +87,7 @@ public:
             text += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"3\" "
                                 "stroke-linecap=\"round\"/>\n",
                                 side(mesh_.patches[patch]),
-                                patch_colours[patch % patch_colours.size()]);
+                                colour_of(mesh_.patches[patch].name, patch));
         return text + "</g>\n";
     }
     /// The rectangle that another window covers here.
@@ -68,11 +95,13 @@ public:
         return fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" "
                            "fill=\"none\" stroke=\"#c00\" stroke-width=\"1\"/>\n",
                            x_at(other.left), y_at(other.bottom + other.height),
-                           scale_ * other.width, scale_ * other.height);
+                           scale_ * stretch_ * other.width, scale_ * other.height);
     }
 
 private:
-    [[nodiscard]] double x_at(double r) const { return x_ + scale_ * (r - window_.left); }
+    [[nodiscard]] double x_at(double r) const {
+        return x_ + scale_ * stretch_ * (r - window_.left);
+    }
     [[nodiscard]] double y_at(double z) const {
         return title_height + scale_ * (window_.bottom + window_.height - z);
     }
@@ -111,6 +140,7 @@ private:
     double x_;
     int number_;
     double scale_;
+    double stretch_;
 };
 
 Window whole_of(const Mesh& mesh) {
@@ -130,7 +160,9 @@ Window whole_of(const Mesh& mesh) {
 
 /// Around the lower end of the patch "bob" (of the first patch where there is none).
 Window detail_of(const Mesh& mesh, double gap, const Window& whole) {
-    const Patch* const bob = mesh.patch("bob");
+    const Patch* bob = mesh.patch("bob");
+    if (bob == nullptr)
+        bob = mesh.patch("bob_inner");
     const Patch& patch = bob != nullptr ? *bob : mesh.patches.front();
     Point lowest = mesh.points[mesh.faces.nodes(patch.first)[0]];
     for (std::size_t face = patch.first; face < patch.first + patch.count; ++face)
@@ -139,7 +171,8 @@ Window detail_of(const Mesh& mesh, double gap, const Window& whole) {
             if (point.y < lowest.y || (point.y == lowest.y && point.x > lowest.x))
                 lowest = point;
         }
-    const double width = std::min(2.2 * gap, whole.width);
+    // Both gaps of a thin double gap, else one with what is beside it.
+    const double width = whole.width <= most_detail * gap ? whole.width : 2.2 * gap;
     const double height = std::min(1.2 * width, whole.height);
     const double left =
         std::clamp(lowest.x - 0.45 * width, whole.left, whole.left + whole.width - width);
@@ -173,7 +206,7 @@ std::string legend(const Mesh& mesh, double x) {
         const double y = title_height + 14 + 22 * static_cast<double>(patch);
         text += fmt::format("<path d=\"M{:.1f} {:.1f}h24\" stroke=\"{}\" stroke-width=\"4\"/>"
                             "<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
-                            x, y, patch_colours[patch % patch_colours.size()], x + 32, y + 5,
+                            x, y, colour_of(mesh.patches[patch].name, patch), x + 32, y + 5,
                             escaped(mesh.patches[patch].name));
     }
     return text;
@@ -197,9 +230,14 @@ std::string mesh_picture(const Mesh& section, double gap, const std::string& tit
         "<text x=\"{2}\" y=\"22\" font-size=\"16\">{3}</text>\n",
         width, height, margin, escaped(title));
     text += first.svg() + first.frame(detail) + second.svg() + legend(section, legend_x);
+    const double below = title_height + second.height() + 20;
     text += fmt::format(
-        "<text x=\"{:.1f}\" y=\"{:.1f}\">magnified {:.3g} times; {:.4g} mm wide</text>\n", second_x,
-        title_height + second.height() + 20, second.scale() / first.scale(), detail.width * 1e3);
+        "<text x=\"{:.1f}\" y=\"{:.1f}\">magnified {:.3g} times; {:.4g} mm wide{}"
+        "</text>\n",
+        second_x, below, second.scale() / first.scale(), detail.width * 1e3,
+        first.stretch() > 1.0
+            ? fmt::format("; on the left widths are stretched {:.3g} times", first.stretch())
+            : "");
     return text + "</svg>\n";
 }
 

@@ -25,6 +25,12 @@ enum class VertexRadius {
     face  ///< at radius / cos(half a cell's angle): the centres of faces lie on the true radius
 };
 
+/// How the two walls of a double gap's rotor are named.
+enum class RotorWalls {
+    together, ///< one patch, bob: its torque is the rotor's
+    separate  ///< bob_inner (beside the post) and bob_outer (beside the cup)
+};
+
 /// What a case asks of the mesh; absent means that the program chooses.
 struct MeshSettings {
     std::optional<int> cells_across_gap{}; ///< >= 1
@@ -40,7 +46,8 @@ struct MeshSettings {
     std::optional<int> axial_cells{};   ///< along the cylindrical part, >= 1
     std::optional<VertexRadius> vertices{};
     std::optional<double> floor_clearance{}; ///< fluid under a double gap's rotor, m, > 0
-    std::int64_t most_cells = 20'000'000;    ///< a mesh of more cells is refused
+    std::optional<RotorWalls> rotor_walls{};
+    std::int64_t most_cells = 20'000'000; ///< a mesh of more cells is refused
 };
 
 } // namespace searle::geometry

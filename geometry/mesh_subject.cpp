@@ -14,7 +14,10 @@ namespace {
 
 constexpr OutlineEdge wall(const char* name) { return {name, PatchKind::wall, ""}; }
 
+/// Only structured cells are known to be one high.
 PatchKind end_kind(const MeshSettings& settings) {
+    if (settings.cells.value_or(CellStyle::hexahedra) != CellStyle::hexahedra)
+        return PatchKind::end_face;
     return settings.axial_cells.value_or(0) == 1 ||
                    (settings.slice_height && settings.axial_cells.value_or(1) == 1)
                ? PatchKind::flat
@@ -61,12 +64,13 @@ struct Draw {
     MeshDomain operator()(const DoubleGap& it) const {
         const auto& [post, inside, outside, cup] = it.radii;
         const double height = checked_height(it.height, settings);
+        const auto [inner, outer] = rotor_patches(settings);
         MeshDomain domain{.gap = std::min(it.inner_gap(), it.outer_gap()),
                           .slice = {.height = height, .instrument_height = it.height}};
         if (!settings.floor_clearance) {
             const PatchKind ends = end_kind(settings);
-            domain.outlines = {gap_outline(post, inside, height, "post", "bob", ends),
-                               gap_outline(outside, cup, height, "bob", "cup", ends)};
+            domain.outlines = {gap_outline(post, inside, height, "post", inner, ends),
+                               gap_outline(outside, cup, height, outer, "cup", ends)};
             return domain;
         }
         if (settings.slice_height)
@@ -83,8 +87,8 @@ struct Draw {
                              {inside, 0.0},
                              {inside, height},
                              {post, height}},
-                            {wall("cup_floor"), wall("cup"), surface, wall("bob"), wall("bob_edge"),
-                             wall("bob"), surface, wall("post")}}};
+                            {wall("cup_floor"), wall("cup"), surface, wall(outer), wall("bob_edge"),
+                             wall(inner), surface, wall("post")}}};
         return domain;
     }
     MeshDomain operator()(const DinBob& it) const {
@@ -149,12 +153,20 @@ struct Draw {
 
 } // namespace
 
+std::array<const char*, 2> rotor_patches(const MeshSettings& settings) {
+    if (settings.rotor_walls.value_or(RotorWalls::together) == RotorWalls::separate)
+        return {"bob_inner", "bob_outer"};
+    return {"bob", "bob"};
+}
+
 MeshSubject subject_of(const Instrument& instrument) {
     return std::visit([](const auto& it) -> MeshSubject { return it; }, instrument);
 }
 
 MeshDomain domain_of(const MeshSubject& subject, const MeshSettings& settings) {
     MeshDomain domain = std::visit(Draw{settings}, subject);
+    if (settings.rotor_walls && !std::holds_alternative<DoubleGap>(subject))
+        throw MeshError("mesh.rotor_walls is for the double gap: other rotors have one wall");
     if (settings.floor_clearance && !std::holds_alternative<DoubleGap>(subject))
         throw MeshError("mesh.floor_clearance is for the double gap; other instruments say where "
                         "their floor is");

@@ -6,6 +6,7 @@
 #include "geometry/profile.hpp"
 #include "geometry/slice.hpp"
 
+#include <array>
 #include <variant>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct MeshDomain {
     double gap{};                    ///< narrowest distance between rotor and cup, m
     Slice slice;                     ///< angle 2 pi; the extent is not yet in it
 };
+
+/// Names of a double gap's rotor walls: beside the post, beside the cup.
+[[nodiscard]] std::array<const char*, 2> rotor_patches(const MeshSettings& settings);
 
 /// The section that the settings ask for. Throws MeshError where they do not fit the instrument.
 [[nodiscard]] MeshDomain domain_of(const MeshSubject& subject, const MeshSettings& settings);

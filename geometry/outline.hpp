@@ -50,4 +50,16 @@ struct OutlineMeasures {
 [[nodiscard]] OutlineMeasures chord_measures_of(const std::vector<Outline>& outlines,
                                                 double cell_angle, double radius_factor);
 
+/// What a body has whose arcs are parabolas through both ends and the middle of each `cell_angle`
+/// (rad): the cells of second order that a sweep makes. Volume and areas of the whole turn.
+/// Faces that end in a point on the axis are left out of it, see curved_tip_volume.
+[[nodiscard]] OutlineMeasures parabola_measures_of(const std::vector<Outline>& outlines,
+                                                   double cell_angle);
+
+/// Second-order triangles that end on the axis are not the cone over their parabola: what one of
+/// them adds to the volume below it, m^3.
+/// @param radius  of its far edge, m
+/// @param rise    of that edge over the point on the axis, m
+[[nodiscard]] double curved_tip_volume(double radius, double rise, double cell_angle);
+
 } // namespace searle::geometry

@@ -55,9 +55,23 @@ ElementList with_middles(const ElementList& elements, const std::vector<std::uin
     return result;
 }
 
+/// Sorted.
+std::vector<std::uint64_t> wall_edges(const Mesh& mesh) {
+    ElementList walls;
+    for (const Patch& patch : mesh.patches)
+        if (patch.kind == PatchKind::wall || patch.kind == PatchKind::free_surface ||
+            patch.kind == PatchKind::end_face)
+            for (std::size_t face = patch.first; face < patch.first + patch.count; ++face)
+                walls.add(mesh.faces.shape(face), mesh.faces.nodes(face));
+    std::vector<std::uint64_t> edges;
+    gather_edges(walls, edges);
+    std::sort(edges.begin(), edges.end());
+    return edges;
+}
+
 } // namespace
 
-Mesh second_order(const Mesh& mesh, bool revolved) {
+Mesh second_order(const Mesh& mesh, CurvedEdges curved_edges) {
     std::vector<std::uint64_t> edges;
     gather_edges(mesh.cells, edges);
     std::sort(edges.begin(), edges.end());
@@ -70,10 +84,14 @@ Mesh second_order(const Mesh& mesh, bool revolved) {
     result.patches = mesh.patches;
     result.periodic_map = mesh.periodic_map;
     const auto first_middle = static_cast<Node>(mesh.points.size());
-    for (const std::uint64_t key : edges)
+    const std::vector<std::uint64_t> at_walls =
+        curved_edges == CurvedEdges::walls ? wall_edges(mesh) : std::vector<std::uint64_t>{};
+    for (const std::uint64_t key : edges) {
+        const bool is_curved = curved_edges == CurvedEdges::all ||
+                               std::binary_search(at_walls.begin(), at_walls.end(), key);
         result.points.push_back(middle(mesh.points[static_cast<Node>(key >> 32)],
-                                       mesh.points[static_cast<Node>(key)],
-                                       revolved && mesh.dimension == 3));
+                                       mesh.points[static_cast<Node>(key)], is_curved));
+    }
     result.cells = with_middles(mesh.cells, edges, first_middle);
     result.faces = with_middles(mesh.faces, edges, first_middle);
 

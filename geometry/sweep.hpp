@@ -27,12 +27,14 @@ struct Sweep {
 /// Each quadrangle with exactly one corner on the axis in two triangles; the rest as it is.
 [[nodiscard]] Mesh with_triangles_at_axis_corners(const Mesh& section);
 
-/// Prisms, pyramids and tetrahedra in tetrahedra, so that neighbours agree on the diagonal of the
-/// face between them (it starts at the corner with the lowest number). No hexahedra.
-[[nodiscard]] Mesh split_into_tetrahedra(const Mesh& mesh);
+/// Which middles of edges lie on arcs about the axis; the others are half way.
+enum class CurvedEdges {
+    none,
+    walls, ///< those of faces of walls and free surfaces
+    all    ///< for a swept mesh, so that cylinders and cones are met in every node
+};
 
-/// The same cells with a node in the middle of each edge; in a swept mesh about the axis
-/// (`revolved`) on the arc, so that cylinders and cones are met in every node.
-[[nodiscard]] Mesh second_order(const Mesh& mesh, bool revolved);
+/// The same cells with a node in the middle of each edge.
+[[nodiscard]] Mesh second_order(const Mesh& mesh, CurvedEdges curved);
 
 } // namespace searle::geometry

@@ -1,11 +1,14 @@
 #include "rheometry/converted_step.hpp"
 
+#include "rheometry/disturbed_regime.hpp"
 #include "rheometry/rheogram_csv.hpp"
 #include "rheometry/tables/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
+#include <stdexcept>
 #include <string_view>
 
 namespace searle::rheometry {
@@ -49,6 +52,46 @@ std::string field(std::string_view text) {
     return quoted + '"';
 }
 
+void forbid_overflow(const Rheogram& rheogram, const MeasuredStep& step) {
+    for (std::size_t row = 0; row < rheogram.points.size(); ++row) {
+        const RheogramPoint& point = rheogram.points[row];
+        // A viscosity has no value at rest.
+        if (std::isfinite(point.shear_rate) && std::isfinite(point.shear_stress) &&
+            !std::isinf(point.viscosity))
+            continue;
+        throw std::overflow_error(fmt::format(
+            "{} {}: speed {:g} and torque {:g} (SI) give a stress, a rate or a viscosity beyond "
+            "the range of double precision; are the columns' units right?",
+            step.lines.empty() ? "row" : "line", step.lines.empty() ? row + 1 : step.lines[row],
+            step.speed[row], step.torque[row]));
+    }
+}
+
+/// Rates from the rows whose torque is that of the steady flow of the law alone.
+RotorRates rates_of_undisturbed(const MeasuredStep& step, const geometry::Instrument& instrument,
+                                const Conversion& conversion) {
+    std::vector<double> speeds;
+    std::vector<std::size_t> rows;
+    std::vector<double> torques;
+    for (std::size_t row = 0; row < step.torque.size(); ++row) {
+        if (!step.regimes.empty() && !disturbance_in(step.regimes[row]).empty())
+            continue;
+        rows.push_back(row);
+        speeds.push_back(step.speed[row]);
+        torques.push_back(step.torque[row]);
+    }
+    RotorRates all = rotor_rates(instrument, conversion.end_factor, step.speed, step.torque);
+    if (rows.size() == step.torque.size())
+        return all;
+    const WallRates some = rotor_rates(instrument, conversion.end_factor, speeds, torques).rates;
+    all.rates = no_rates(step.torque.size());
+    all.rates.yield_stress = some.yield_stress;
+    all.rates.yield_standard_error = some.yield_standard_error;
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        all.rates.rows[rows[k]] = some.rows[k];
+    return all;
+}
+
 } // namespace
 
 ConvertedStep convert_step(const MeasuredStep& step, const geometry::Instrument& instrument,
@@ -58,9 +101,12 @@ ConvertedStep convert_step(const MeasuredStep& step, const geometry::Instrument&
     converted.name = step.name;
     converted.has_time = !step.time.empty();
     converted.rheogram = make_rheogram(history_of(step), conversion, no_regime);
-    converted.at_rotor = rotor_rates(instrument, conversion.end_factor, step.speed, step.torque);
+    forbid_overflow(converted.rheogram, step);
+    converted.at_rotor = rates_of_undisturbed(step, instrument, conversion);
     if (!step.is_flow_curve)
         converted.at_rotor.rates = no_rates(step.speed.size());
+    for (const std::string& regime : step.regimes)
+        converted.disturbed_rows += disturbance_in(regime).empty() ? 0 : 1;
     converted.stress_difference =
         largest_difference(converted.rheogram, &RheogramPoint::shear_stress, step.exported_stress);
     converted.rate_difference =

@@ -20,11 +20,15 @@ struct ConvertedStep {
     /// where it holds none.
     double stress_difference{};
     double rate_difference{};
+    /// Rows whose regime says that lag, vortices or end flow is in the torque: they have no rate at
+    /// the rotor, and do not count for the others'.
+    std::size_t disturbed_rows{};
 };
 
 /// Lifts a measured series to stresses and rates by the very functions that do it for computed
 /// torques, and corrects the rate at the rotor's wall from the whole series if that is a flow
-/// curve.
+/// curve. Throws std::overflow_error for a row whose stress, rate or viscosity is beyond the range
+/// of double precision; its text names the row's line.
 [[nodiscard]] ConvertedStep convert_step(const MeasuredStep& step,
                                          const geometry::Instrument& instrument,
                                          const Conversion& conversion);

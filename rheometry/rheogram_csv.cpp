@@ -134,7 +134,7 @@ RheogramFile read_rheogram_csv(const std::filesystem::path& file) {
                 for (std::size_t row = 0; row < points.size(); ++row)
                     points[row].regime = std::string(trimmed(table.text(row, *index)));
         });
-    numbers.faults().throw_if_any();
+    numbers.throw_if_any();
     if (!table.find("viscosity_Pa_s"))
         for (RheogramPoint& point : points)
             if (point.shear_rate != 0.0)

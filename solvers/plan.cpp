@@ -162,18 +162,26 @@ std::vector<std::string> choice_warnings(const Scene& scene, const Choice& choic
     return warnings;
 }
 
+/// Of a profile: no formula for a gap holds around it, so nothing can be foretold.
+Plan plan_without_model() {
+    Plan plan;
+    plan.model = "none";
+    plan.model_reason = "A rotor of any shape (geometry.type = \"profile\") can be meshed and "
+                        "converted, but nothing in this version solves the flow around it";
+    plan.can_be_solved = false;
+    return plan;
+}
+
 } // namespace
 
 Plan make_plan(const Scene& scene) {
+    if (scene.profile) {
+        return plan_without_model();
+    }
     Forecast forecast = solvers::forecast(scene);
     Plan plan;
     plan.transient = needs_inertia(scene, forecast);
     Choice choice = choose(scene, forecast, plan.transient);
-    if (scene.profile) {
-        choice.can_be_solved = false;
-        choice.reason = "A rotor of any shape (geometry.type = \"profile\") can be meshed and "
-                        "converted, but nothing in this version solves the flow around it";
-    }
     plan.can_be_solved = choice.can_be_solved;
     plan.secondary_flow = choice.can_be_solved && needs_secondary_flow(scene, forecast);
     plan.vortices = choice.can_be_solved && needs_vortices(scene, forecast);

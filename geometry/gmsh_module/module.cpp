@@ -8,20 +8,6 @@
 namespace searle::geometry {
 namespace {
 
-/// Gmsh is initialised once for the process.
-void initialise() {
-    static const bool done = [] {
-        gmsh::initialize(0, nullptr, false);
-        gmsh::option::setNumber("General.Terminal", 0);
-        gmsh::option::setNumber("General.NumThreads", 1);
-        gmsh::option::setNumber("Mesh.Algorithm", 6); // frontal-Delaunay
-        gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
-        gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
-        return true;
-    }();
-    (void)done;
-}
-
 std::vector<int> add_outline(const Outline& outline, double scale) {
     const int count = static_cast<int>(outline.points.size());
     std::vector<int> lines;
@@ -101,12 +87,26 @@ void take_edges(const Outline& outline, const std::vector<int>& lines,
 }
 
 } // namespace
+
+void initialise_gmsh() {
+    static const bool done = [] {
+        gmsh::initialize(0, nullptr, false);
+        gmsh::option::setNumber("General.Terminal", 0);
+        gmsh::option::setNumber("General.NumThreads", 1);
+        gmsh::option::setNumber("Mesh.Algorithm", 6); // frontal-Delaunay
+        gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
+        gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
+        return true;
+    }();
+    (void)done;
+}
+
 } // namespace searle::geometry
 
 extern "C" void searle_triangulate(const searle::geometry::TriangulationJob& job,
                                    searle::geometry::TriangulationAnswer& answer) try {
     using namespace searle::geometry;
-    initialise();
+    initialise_gmsh();
     answer.gmsh_version = GMSH_API_VERSION;
     // Gmsh's tolerances are absolute, so lengths are given in parts of the outline's extent.
     double scale = 0.0;

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 namespace searle::geometry {
 namespace {
 
@@ -52,7 +54,10 @@ void write_boundary(const Mesh& mesh, std::size_t inner_faces, const std::filesy
     for (const Patch& patch : mesh.patches) {
         out << "    " << patch.name << "\n    {\n        type            " << type_of(patch.kind)
             << ";\n";
-        if (patch.kind == PatchKind::wall)
+        const bool is_one_of_two = patch.name == "bob_inner" || patch.name == "bob_outer";
+        if (is_one_of_two) // a condition for bob is then one for both walls
+            out << "        inGroups        2(wall bob);\n";
+        else if (patch.kind == PatchKind::wall)
             out << "        inGroups        1(wall);\n";
         if (patch.kind == PatchKind::periodic)
             out << "        neighbourPatch  " << patch.partner << ";\n"
@@ -81,17 +86,9 @@ void for_each_face(const MeshFaces& faces, Use use) {
             use(face);
 }
 
-} // namespace
-
-void write_openfoam(const Mesh& mesh, const std::filesystem::path& folder) {
-    if (mesh.dimension != 3)
-        throw MeshError("OpenFOAM has no plane meshes; mesh.extent = \"wedge\" is the section with "
-                        "one cell in angle");
-    if (mesh.is_second_order())
-        throw MeshError("OpenFOAM's cells have straight edges; mesh.order = 1 is needed");
+/// The five files of a mesh, in a folder that is there.
+void write_files(const Mesh& mesh, const std::filesystem::path& target) {
     const MeshFaces faces = faces_of_cells(mesh);
-    const std::filesystem::path target = folder / "constant" / "polyMesh";
-    std::filesystem::create_directories(target);
     write_points(mesh, target / "points");
     const std::size_t count = faces.inside.size() + faces.boundary.size();
     {
@@ -126,6 +123,45 @@ void write_openfoam(const Mesh& mesh, const std::filesystem::path& folder) {
         out.close();
     }
     write_boundary(mesh, faces.inside.size(), target / "boundary");
+}
+
+/// Makes the folders that are missing; gives the first of them, empty where none was.
+std::filesystem::path make_folders(const std::filesystem::path& folder) {
+    std::filesystem::path first;
+    for (std::filesystem::path at = folder; !at.empty() && !std::filesystem::exists(at);
+         at = at.parent_path())
+        first = at;
+    std::filesystem::create_directories(folder);
+    return first;
+}
+
+} // namespace
+
+void write_openfoam(const Mesh& mesh, const std::filesystem::path& folder) {
+    if (mesh.dimension != 3)
+        throw MeshError("OpenFOAM has no plane meshes; mesh.extent = \"wedge\" is the section with "
+                        "one cell in angle");
+    if (mesh.is_second_order())
+        throw MeshError("OpenFOAM's cells have straight edges; mesh.order = 1 is needed");
+    namespace fs = std::filesystem;
+    const fs::path constant = folder / "constant";
+    const fs::path target = constant / "polyMesh";
+    const fs::path made = make_folders(constant);
+    // Beside the target, so that no reader ever meets half a mesh.
+    const fs::path part = constant / fmt::format("polyMesh.part-{}", getpid());
+    std::error_code ignored;
+    try {
+        fs::create_directory(part);
+        write_files(mesh, part);
+        fs::remove_all(target);
+        fs::rename(part, target);
+    } catch (const fs::filesystem_error& error) {
+        fs::remove_all(made.empty() ? part : made, ignored);
+        throw fs::filesystem_error("the mesh cannot be written", target, error.code());
+    } catch (...) {
+        fs::remove_all(made.empty() ? part : made, ignored);
+        throw;
+    }
 }
 
 } // namespace searle::geometry

@@ -37,8 +37,13 @@ std::vector<std::uint32_t> vtk_nodes(CellShape shape, std::span<const std::uint3
                                                        7, 12, 14, 13, 8, 10, 11};
     static constexpr std::array<std::size_t, 13> pyramid{0, 1, 2, 3, 4, 5, 8, 10, 6, 7, 9, 11, 12};
     static constexpr std::array<std::size_t, 10> tetrahedron{0, 1, 2, 3, 4, 5, 6, 7, 9, 8};
+    // VTK's straight prism has its base the other way round, its curved one has not.
+    static constexpr std::array<std::size_t, 6> straight_prism{0, 2, 1, 3, 5, 4};
     std::span<const std::size_t> order;
     switch (shape) {
+    case CellShape::prism6:
+        order = straight_prism;
+        break;
     case CellShape::hexahedron20:
         order = hexahedron;
         break;

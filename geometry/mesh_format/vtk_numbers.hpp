@@ -41,7 +41,8 @@ namespace searle::geometry {
     return 0;
 }
 
-/// A cell's nodes in VTK's order: it numbers the middles of edges base, top, uprights.
+/// A cell's nodes in VTK's order: it numbers the middles of edges base, top, uprights, and the base
+/// of a straight prism the other way round.
 [[nodiscard]] std::vector<std::uint32_t> vtk_nodes(CellShape shape,
                                                    std::span<const std::uint32_t> nodes);
 

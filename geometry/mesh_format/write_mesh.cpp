@@ -15,11 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What meshio 5 writes from mixed meshes, apart from the formats written here.
-constexpr std::array meshio_endings{
-    ".xdmf", ".xmf",  ".inp", ".su2",  ".mesh",   ".meshb", ".bdf", ".fem",  ".nas", ".med",
-    ".e",    ".exo",  ".ex2", ".cgns", ".h5m",    ".ugrid", ".avs", ".mdpa", ".xml", ".vol",
-    ".post", ".dato", ".dat", ".tec",  ".f3grid", ".off",   ".obj", ".ply"};
+/// What meshio 5 writes and reads again from mixed meshes with numbered or named patches, apart
+/// from the formats written here.
+constexpr std::array meshio_endings{".xdmf", ".xmf",   ".inp", ".su2", ".med",
+                                    ".mesh", ".meshb", ".bdf", ".nas", ".fem",
+                                    ".avs",  ".vol",   ".e",   ".exo", ".ex2"};
 
 void write_as(const Mesh& mesh, const fs::path& path, MeshFormat format) {
     switch (format) {
@@ -36,8 +36,18 @@ void write_as(const Mesh& mesh, const fs::path& path, MeshFormat format) {
     case MeshFormat::openfoam:
         return write_openfoam(mesh, path);
     case MeshFormat::meshio:
-        return write_by_meshio(mesh, path);
+        break;
     }
+}
+
+std::vector<std::string> losses_of(const Mesh& mesh, MeshFormat format) {
+    std::vector<std::string> losses;
+    if (format == MeshFormat::stl)
+        losses.emplace_back("an .stl file holds the boundary alone, in triangles");
+    const bool is_vtk = format == MeshFormat::vtu || format == MeshFormat::vtk;
+    if ((is_vtk || format == MeshFormat::meshio) && !mesh.periodic_points.empty())
+        losses.emplace_back("the pairs of periodic points are in .msh and OpenFOAM meshes alone");
+    return losses;
 }
 
 } // namespace
@@ -68,20 +78,32 @@ std::vector<std::string> known_endings() {
     return endings;
 }
 
-void write_mesh(const Mesh& mesh, const fs::path& path, MeshFormat format) {
-    if (format == MeshFormat::openfoam || format == MeshFormat::meshio)
-        return write_as(mesh, path, format);
+std::vector<std::string> write_mesh(const Mesh& mesh, const fs::path& path, MeshFormat format) {
+    std::vector<std::string> losses = losses_of(mesh, format);
+    if (format == MeshFormat::meshio) {
+        const std::vector<std::string> more = write_by_meshio(mesh, path);
+        losses.insert(losses.end(), more.begin(), more.end());
+        return losses;
+    }
+    if (format == MeshFormat::openfoam) {
+        write_openfoam(mesh, path);
+        return losses;
+    }
     // Beside the target, so that no reader ever meets half a mesh.
     fs::path part = path;
     part += fmt::format(".part-{}", getpid());
+    std::error_code ignored;
     try {
         write_as(mesh, part, format);
         fs::rename(part, path);
+    } catch (const fs::filesystem_error& error) {
+        fs::remove(part, ignored);
+        throw fs::filesystem_error("the mesh cannot be written", path, error.code());
     } catch (...) {
-        std::error_code ignored;
         fs::remove(part, ignored);
         throw;
     }
+    return losses;
 }
 
 } // namespace searle::geometry

@@ -27,9 +27,11 @@ enum class MeshFormat {
 [[nodiscard]] std::vector<std::string> known_endings();
 
 /// Writes the mesh; a file appears as a whole. `format` msh22 overrides the default for ".msh".
+/// Gives what the format does not hold of the mesh, a sentence each.
 /// Throws MeshError where the format cannot hold the mesh, MeshToolMissing for a missing meshio,
 /// std::filesystem::filesystem_error where the path cannot be written.
-void write_mesh(const Mesh& mesh, const std::filesystem::path& path, MeshFormat format);
+std::vector<std::string> write_mesh(const Mesh& mesh, const std::filesystem::path& path,
+                                    MeshFormat format);
 
 // One writer a format; each writes to the path given.
 void write_msh22(const Mesh& mesh, const std::filesystem::path& file);
@@ -39,6 +41,8 @@ void write_vtk(const Mesh& mesh, const std::filesystem::path& file);
 void write_stl(const Mesh& mesh, const std::filesystem::path& file);
 /// @param folder  the case's folder; constant/polyMesh is made in it
 void write_openfoam(const Mesh& mesh, const std::filesystem::path& folder);
-void write_by_meshio(const Mesh& mesh, const std::filesystem::path& file);
+/// Reads the file back by meshio and compares; gives what it does not hold.
+[[nodiscard]] std::vector<std::string> write_by_meshio(const Mesh& mesh,
+                                                       const std::filesystem::path& file);
 
 } // namespace searle::geometry

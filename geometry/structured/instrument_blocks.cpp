@@ -83,7 +83,8 @@ BlockLayout joined_gaps(const DoubleGap& it, const MeshSettings& settings) {
         top[at] = layout.corner(radii[at], it.height);
     }
     const std::array<const Fractions*, 3> across{&inner, &edge_cells, &outer};
-    const std::array<const char*, 4> walls{"post", "bob", "bob", "cup"};
+    const auto [inner_wall, outer_wall] = rotor_patches(settings);
+    const std::array<const char*, 4> walls{"post", inner_wall, outer_wall, "cup"};
     const std::array<const char*, 4> walls_below{"post", "", "", "cup"};
     std::array<int, 4> below_edge{};
     std::array<int, 4> wall_edge{};

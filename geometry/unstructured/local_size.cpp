@@ -68,10 +68,11 @@ double LocalSize::at(const SectionPoint& point) const {
     return size;
 }
 
-double LocalSize::expected_triangles() const {
-    // Each wall answers for half of the local width beside it; a triangle of side s has 0.433 s^2.
+template <class Cells>
+double LocalSize::sum_over_section(Cells cells) const {
+    // Each wall answers for half of the local width beside it.
     constexpr int samples = 50;
-    double triangles = 0.0;
+    double sum = 0.0;
     for (const auto* edges : {&rotor_edges_, &fixed_edges_})
         for (const std::size_t edge : *edges) {
             const SectionPoint& from = outline_.start(edge);
@@ -81,11 +82,24 @@ double LocalSize::expected_triangles() const {
                 const double part = (sample + 0.5) / samples;
                 const SectionPoint point{from.r + part * (to.r - from.r),
                                          from.z + part * (to.z - from.z)};
-                const double size = at(point);
-                triangles += 0.5 * width_at(point) * length / samples / (0.433 * size * size);
+                sum += cells(point, at(point), 0.5 * width_at(point) * length / samples);
             }
         }
-    return triangles;
+    return sum;
+}
+
+double LocalSize::expected_triangles() const {
+    // An equilateral triangle of side s has 0.433 s^2.
+    return sum_over_section(
+        [](const SectionPoint&, double size, double area) { return area / (0.433 * size * size); });
+}
+
+double LocalSize::expected_tetrahedra(bool revolved, double extent) const {
+    // A regular tetrahedron of side s has 0.118 s^3.
+    return sum_over_section([&](const SectionPoint& point, double size, double area) {
+        const double length = revolved ? extent * point.r : extent;
+        return area * length / (0.118 * size * size * size);
+    });
 }
 
 } // namespace searle::geometry

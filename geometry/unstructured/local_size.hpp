@@ -15,8 +15,15 @@ public:
     [[nodiscard]] double at(const SectionPoint& point) const;
     /// Roughly the number of triangles that these sizes lead to.
     [[nodiscard]] double expected_triangles() const;
+    /// The same of tetrahedra in the solid that the section sweeps.
+    /// @param extent  rad about the axis (revolved), or m
+    [[nodiscard]] double expected_tetrahedra(bool revolved, double extent) const;
 
 private:
+    /// Sums over samples beside the walls: of what `cells` gives for a place, its size and its
+    /// area.
+    template <class Cells>
+    [[nodiscard]] double sum_over_section(Cells cells) const;
     [[nodiscard]] double width_at(const SectionPoint& point) const;
 
     const Outline& outline_;

@@ -3,42 +3,12 @@
 #include "geometry/gmsh_module/module.hpp"
 #include "geometry/mesh_error.hpp"
 #include "geometry/unstructured/local_size.hpp"
+#include "geometry/unstructured/open_module.hpp"
 
 #include <fmt/format.h>
 
-#include <dlfcn.h>
-#include <filesystem>
-#include <system_error>
-
 namespace searle::geometry {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// Beside the program, or where it was built.
-void* open_module() {
-    std::error_code ignored;
-    const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-    const fs::path beside = program.parent_path() / "searle_gmsh.so";
-    for (const fs::path& path : {beside, fs::path{SEARLE_GMSH_MODULE}})
-        if (fs::exists(path, ignored))
-            if (void* const module = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL))
-                return module;
-    return nullptr;
-}
-
-TriangulateFunction triangulate_function() {
-    static const auto function = [] {
-        void* const module = open_module();
-        return module == nullptr
-                   ? nullptr
-                   : reinterpret_cast<TriangulateFunction>(dlsym(module, triangulate_symbol));
-    }();
-    if (function == nullptr)
-        throw MeshToolMissing("triangles are made by gmsh, which is not here; to get it: apt-get "
-                              "install libgmsh-dev, and build Searle again");
-    return function;
-}
 
 void append(const TriangulationAnswer& answer, Mesh& mesh) {
     const auto offset = static_cast<std::uint32_t>(mesh.points.size());
@@ -50,9 +20,12 @@ void append(const TriangulationAnswer& answer, Mesh& mesh) {
 
 } // namespace
 
+bool can_triangulate() { return find_gmsh_module_function(triangulate_symbol) != nullptr; }
+
 Mesh triangulated(const std::vector<Outline>& outlines, const TriangleSizes& sizes,
                   std::int64_t most_cells) {
-    const TriangulateFunction triangulate = triangulate_function();
+    const auto triangulate =
+        reinterpret_cast<TriangulateFunction>(gmsh_module_function(triangulate_symbol));
     double expected = 0.0;
     for (const Outline& outline : outlines)
         expected += LocalSize{outline, sizes}.expected_triangles();

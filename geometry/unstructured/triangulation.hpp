@@ -17,6 +17,9 @@ struct TriangleSizes {
     double growth = 1.2;
 };
 
+/// False: gmsh is not here.
+[[nodiscard]] bool can_triangulate();
+
 /// Triangles that fill the outlines, as a plane mesh with their patches. Made by gmsh.
 /// Throws MeshError when gmsh fails or there would be more than `most_cells`, MeshToolMissing when
 /// gmsh is not here.

@@ -1,50 +1,33 @@
 #include "rheometry/fit/design.hpp"
 
 #include "rheometry/fit/least_squares.hpp"
-#include "rheometry/fit/prediction.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <span>
 
 namespace searle::rheometry::fit {
 namespace {
 
-constexpr std::size_t candidates = 121;
+/// Parameters that are searched for.
+std::vector<std::size_t> searched_of(const FitResult& result) {
+    std::vector<std::size_t> searched;
+    for (std::size_t i = 0; i < result.estimates.size(); ++i)
+        if (!result.estimates[i].parameter.held)
+            searched.push_back(i);
+    return searched;
+}
 
-/// Sums of outer products of sensitivities over the scatter.
-class Information {
-public:
-    Information(const Model& model, const FitResult& result) : model_(model), result_(result) {
-        for (std::size_t i = 0; i < result.estimates.size(); ++i)
-            if (!result.estimates[i].parameter.held)
-                searched_.push_back(i);
-    }
-
-    /// Rows of sensitivities over the scatter of a point, searched parameters only.
-    [[nodiscard]] std::vector<double> rows(std::span<const double> rates) const {
-        const std::size_t count = result_.search.size();
-        std::vector<double> stresses(rates.size());
-        std::vector<double> jacobian(rates.size() * count);
-        model_.stresses(result_.search, rates, stresses, jacobian);
-        std::vector<double> scaled;
-        for (std::size_t k = 0; k < rates.size(); ++k) {
-            const double unit =
-                result_.weighting == Weighting::absolute ? result_.units.front() : stresses[k];
-            for (const std::size_t i : searched_)
-                scaled.push_back(jacobian[k * count + i] / (unit * result_.residual_deviation));
-        }
-        return scaled;
-    }
-    [[nodiscard]] std::size_t size() const { return searched_.size(); }
-    [[nodiscard]] const std::vector<std::size_t>& searched() const { return searched_; }
-
-private:
-    const Model& model_;
-    const FitResult& result_;
-    std::vector<std::size_t> searched_;
-};
+/// The columns of the searched parameters only, row by row.
+std::vector<double> chosen_columns(const Sensitivities& all,
+                                   const std::vector<std::size_t>& searched) {
+    std::vector<double> rows;
+    for (std::size_t k = 0; k < all.size(); ++k)
+        for (const std::size_t i : searched)
+            rows.push_back(all.rows[k * all.parameters + i]);
+    return rows;
+}
 
 void add_row(std::vector<double>& matrix, std::span<const double> row, double sign) {
     for (std::size_t i = 0; i < row.size(); ++i)
@@ -54,12 +37,28 @@ void add_row(std::vector<double>& matrix, std::span<const double> row, double si
 
 } // namespace
 
-Design suggest_points(const Model& model, const FitResult& result, const RateWindow& window,
-                      std::size_t count) {
-    const Information information(model, result);
-    const std::size_t size = information.size();
-    const std::vector<double> rates = spread_rates(window.rates.low, window.rates.high, candidates);
-    const std::vector<double> rows = information.rows(rates);
+Sensitivities sensitivities(const ForwardModel& forward, const FitResult& result,
+                            double unit_ratio) {
+    const std::size_t count = result.search.size();
+    std::vector<double> values(forward.size());
+    Sensitivities found{std::vector<double>(forward.size() * count), count};
+    if (!forward.predict(result.search, values, found.rows))
+        return {{}, count};
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        const double unit =
+            result.weighting == Weighting::absolute ? result.units.front() * unit_ratio : values[k];
+        for (std::size_t i = 0; i < count; ++i)
+            found.rows[k * count + i] /= unit * result.residual_deviation;
+    }
+    return found;
+}
+
+Design suggest_points(const FitResult& result, const Sensitivities& present_rows,
+                      const Candidates& candidates, std::size_t count) {
+    const std::vector<std::size_t> searched = searched_of(result);
+    const std::size_t size = searched.size();
+    const std::vector<double>& rates = candidates.rates;
+    const std::vector<double> rows = chosen_columns(candidates.sensitivities, searched);
     const auto row = [&](std::size_t k) { return std::span(rows).subspan(k * size, size); };
 
     std::vector<double> present(size * size, 0.0);
@@ -67,11 +66,9 @@ Design suggest_points(const Model& model, const FitResult& result, const RateWin
     for (std::size_t k = 0; k < rates.size(); ++k)
         for (std::size_t i = 0; i < size; ++i)
             tiny[i] = std::max(tiny[i], std::abs(row(k)[i]));
-    for (std::size_t k = 0; k < result.present_rates.size(); ++k) {
-        const double rate = result.present_rates[k];
-        const std::vector<double> own = information.rows(std::span(&rate, 1));
-        add_row(present, own, 1.0);
-    }
+    const std::vector<double> own = chosen_columns(present_rows, searched);
+    for (std::size_t k = 0; k < present_rows.size(); ++k)
+        add_row(present, std::span(own).subspan(k * size, size), 1.0);
     std::vector<double> before = present;
     // A direction that nothing determines yet still needs a determinant to start from.
     for (std::size_t i = 0; i < size; ++i)
@@ -111,13 +108,16 @@ Design suggest_points(const Model& model, const FitResult& result, const RateWin
     }
 
     Design design;
-    design.window = window.name;
+    design.name = candidates.name;
+    design.low_rate = rates.front();
+    design.high_rate = rates.back();
     std::sort(chosen.begin(), chosen.end());
     for (const std::size_t k : chosen) {
         if (!design.points.empty() && design.points.back().rate == rates[k])
             ++design.points.back().repeats;
         else
-            design.points.push_back({rates[k], 1});
+            design.points.push_back(
+                {rates[k], candidates.speeds.empty() ? 0.0 : candidates.speeds[k], 1});
     }
     const std::vector<double> covariance = inverse_of_positive(matrix, size);
     const std::vector<double> old = inverse_of_positive(present, size);
@@ -125,7 +125,7 @@ Design suggest_points(const Model& model, const FitResult& result, const RateWin
     design.shrinkage.assign(all, std::numeric_limits<double>::quiet_NaN());
     design.standard_errors.assign(all, std::numeric_limits<double>::quiet_NaN());
     for (std::size_t s = 0; s < size && !covariance.empty(); ++s) {
-        const std::size_t i = information.searched()[s];
+        const std::size_t i = searched[s];
         const double deviation = std::sqrt(covariance[s * size + s]);
         design.standard_errors[i] =
             deviation * search_slope(result.estimates[i].parameter.transform, result.search[i]);
@@ -137,11 +137,12 @@ Design suggest_points(const Model& model, const FitResult& result, const RateWin
     return design;
 }
 
-std::vector<Design> suggest_windows(const Model& model, const FitResult& result,
-                                    const std::vector<RateWindow>& windows, std::size_t count) {
+std::vector<Design> suggest_designs(const FitResult& result, const Sensitivities& present,
+                                    const std::vector<Candidates>& sets, std::size_t count) {
     std::vector<Design> designs;
-    for (const RateWindow& window : windows)
-        designs.push_back(suggest_points(model, result, window, count));
+    for (const Candidates& candidates : sets)
+        if (!candidates.rates.empty() && candidates.sensitivities.size() == candidates.rates.size())
+            designs.push_back(suggest_points(result, present, candidates, count));
     std::stable_sort(designs.begin(), designs.end(), [](const Design& a, const Design& b) {
         return a.volume_ratio < b.volume_ratio;
     });

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "rheometry/fit/fit_result.hpp"
-#include "rheometry/fit/flow_data.hpp"
+#include "rheometry/fit/forward_model.hpp"
 #include "rheometry/fit/model.hpp"
 
 #include <cstddef>
@@ -10,21 +10,44 @@
 
 namespace searle::rheometry::fit {
 
-/// Rates that can be measured, e.g. those of one geometry on one drive.
-struct RateWindow {
+/// What each observation tells: its derivatives by the parameters over its scatter, row by row,
+/// parameters in the order of the fit.
+struct Sensitivities {
+    std::vector<double> rows;
+    std::size_t parameters{};
+
+    [[nodiscard]] std::size_t size() const {
+        return parameters == 0 ? 0 : rows.size() / parameters;
+    }
+};
+
+/// Of all that a forward model predicts, at the optimum. The scatter is taken to stay as it was:
+/// for absolute weights the residuals' deviation in the observation's unit, else in parts of the
+/// prediction.
+/// @param unit_ratio  unit of this model's observation per unit of those fitted; absolute weights
+[[nodiscard]] Sensitivities sensitivities(const ForwardModel& forward, const FitResult& result,
+                                          double unit_ratio = 1.0);
+
+/// Points that could be measured, e.g. with one geometry on one drive.
+struct Candidates {
     std::string name;
-    Range rates; ///< 1/s, 0 < low < high
+    std::vector<double> rates;  ///< 1/s, increasing
+    std::vector<double> speeds; ///< rad/s (m/s), as many; empty: not of an instrument
+    Sensitivities sensitivities;
 };
 
 struct DesignPoint {
-    double rate{}; ///< 1/s
+    double rate{};  ///< 1/s
+    double speed{}; ///< rad/s (m/s); 0: not of an instrument
     std::size_t repeats{};
 };
 
 /// Which further points would shrink the confidence region most.
 struct Design {
-    std::string window;
+    std::string name;                ///< of the candidates
     std::vector<DesignPoint> points; ///< rates increasing
+    double low_rate{};               ///< of the candidates, 1/s
+    double high_rate{};
     /// Standard errors after these points over those before, per parameter; NaN where the present
     /// data give none.
     std::vector<double> shrinkage;
@@ -34,15 +57,16 @@ struct Design {
 };
 
 /// D-optimal: point by point the one that raises the determinant of the information most, then
-/// exchanged one by one until none is better. The scatter is taken to stay as it was, relative or
-/// absolute as the weights were.
-/// @param count  further points, >= 1
-[[nodiscard]] Design suggest_points(const Model& model, const FitResult& result,
-                                    const RateWindow& window, std::size_t count);
+/// exchanged one by one until none is better.
+/// @param present  the data fitted
+/// @param count    further points, >= 1
+[[nodiscard]] Design suggest_points(const FitResult& result, const Sensitivities& present,
+                                    const Candidates& candidates, std::size_t count);
 
-/// One design per window, the best first.
-[[nodiscard]] std::vector<Design> suggest_windows(const Model& model, const FitResult& result,
-                                                  const std::vector<RateWindow>& windows,
+/// One design per set of candidates, the best first.
+[[nodiscard]] std::vector<Design> suggest_designs(const FitResult& result,
+                                                  const Sensitivities& present,
+                                                  const std::vector<Candidates>& sets,
                                                   std::size_t count);
 
 } // namespace searle::rheometry::fit

@@ -1,5 +1,6 @@
 #include "rheometry/fit/fit.hpp"
 
+#include "rheometry/fit/nearby_search.hpp"
 #include "rheometry/fit/profile.hpp"
 #include "rheometry/fit/weighted_residuals.hpp"
 
@@ -19,6 +20,18 @@ constexpr std::size_t most_profiled_points = 20000;
 /// Relative residuals below this are rounding: there is no scatter to make intervals of.
 constexpr double rounding = 1e-13;
 constexpr SearchEffort first_look{.most_iterations = 20, .relative_decrease = 1e-4};
+constexpr SearchEffort next_round{.most_iterations = 20, .relative_decrease = 1e-13};
+/// Leaves the last steps, which settle the digits, to the search that does not square the
+/// condition.
+constexpr SearchEffort way_down{.most_iterations = 200, .relative_decrease = 1e-6};
+
+/// To the last digit; in a valley without a bottom the last digits are left undecided.
+Minimum to_the_bottom(const LeastSquaresProblem& problem, std::span<const double> start) {
+    Minimum minimum = minimise(problem, start, {.most_iterations = 100});
+    if (!minimum.converged)
+        minimum = minimise(problem, minimum.parameters, {.relative_decrease = 1e-9});
+    return minimum;
+}
 
 Minimum best_minimum(const LeastSquaresProblem& problem,
                      const std::vector<std::vector<double>>& starts) {
@@ -26,7 +39,7 @@ Minimum best_minimum(const LeastSquaresProblem& problem,
     best.sum_of_squares = std::numeric_limits<double>::infinity();
     for (const std::vector<double>& start : starts) {
         // A first look decides which valley is worth the way to its bottom.
-        Minimum found = minimise(problem, start, first_look);
+        Minimum found = minimise_nearby(problem, start, first_look);
         if (!std::isfinite(found.sum_of_squares) || found.parameters.empty())
             continue;
         const bool lower = found.sum_of_squares < best.sum_of_squares;
@@ -39,10 +52,8 @@ Minimum best_minimum(const LeastSquaresProblem& problem,
         }
     }
     if (std::isfinite(best.sum_of_squares))
-        best = minimise(problem, best.parameters);
-    // A valley without a bottom: the last digits are left undecided.
-    if (std::isfinite(best.sum_of_squares) && !best.converged)
-        best = minimise(problem, best.parameters, {.relative_decrease = 1e-9});
+        best =
+            to_the_bottom(problem, minimise_nearby(problem, best.parameters, way_down).parameters);
     return best;
 }
 
@@ -70,14 +81,15 @@ void settle_weights(WeightedResiduals& residuals, std::span<const Parameter> par
             residuals.set_loss(options.loss, scale);
         }
         const std::vector<double> before = minimum.parameters;
-        minimum = minimise(problem, before);
+        minimum = minimise_nearby(problem, before, next_round);
         double moved = 0.0;
         for (std::size_t i = 0; i < before.size(); ++i)
             moved = std::max(moved, std::abs(minimum.parameters[i] - before[i]) /
                                         std::max(1e-3, std::abs(before[i])));
-        if (moved < 1e-10)
-            return;
+        if (moved < 1e-9)
+            break;
     }
+    minimum = to_the_bottom(problem, minimum.parameters);
 }
 
 std::vector<bool> free_parameters(const LeastSquaresProblem& problem,
@@ -202,7 +214,8 @@ void set_statistics(FitResult& result, const WeightedResiduals& residuals,
     }
     result.rms_absolute = std::sqrt(absolute / count);
     result.rms_relative = std::sqrt(relative / count);
-    result.determination = spread > 0.0 ? 1.0 - absolute / spread : unset();
+    // Equal values have no spread but rounding's.
+    result.determination = spread > 1e-24 * count * mean * mean ? 1.0 - absolute / spread : unset();
     result.runs = runs_test(result.residuals);
     const double deviance =
         count * std::log(std::max(result.sum_of_squares, count * rounding * rounding) / count) +

@@ -109,7 +109,10 @@ void polish(const LeastSquaresProblem& problem, const std::vector<std::size_t>& 
         if (!(largest < 1e-3 && largest < last_step))
             return;
         const double sum = sum_of_squares_at(problem, next);
-        if (!(sum <= minimum.sum_of_squares * (1.0 + 1e-12)))
+        // A residual is the small difference of numbers near 1: what rounding leaves of the sum.
+        const double rounding =
+            1e-12 + 1e-14 / std::sqrt(minimum.sum_of_squares / double(problem.residuals));
+        if (!(sum <= minimum.sum_of_squares * (1.0 + rounding)))
             return;
         minimum.parameters = std::move(next);
         minimum.sum_of_squares = std::min(sum, minimum.sum_of_squares);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 namespace searle::rheometry::fit {
@@ -139,6 +140,12 @@ struct Bound {
     static double log_slope(std::span<const double> values, double rate) {
         return from_values(values).log_slope(rate);
     }
+    static std::optional<flow::AnyFlowLaw> for_solvers(std::span<const double> values) {
+        if constexpr (std::is_constructible_v<flow::AnyFlowLaw, Law<double>>)
+            return flow::AnyFlowLaw{from_values(values)};
+        else
+            return std::nullopt;
+    }
 
     static Model model(std::string_view formula) {
         Model made{.name = Law<double>::name,
@@ -148,7 +155,8 @@ struct Bound {
                    .stress = stress,
                    .rate = rate,
                    .yield_stress = yield_stress,
-                   .log_slope = log_slope};
+                   .log_slope = log_slope,
+                   .for_solvers = for_solvers};
         for (std::size_t i = 0; i < count; ++i)
             made.parameters.push_back({.key = std::string(Law<double>::parameters[i].key),
                                        .unit = std::string(Law<double>::parameters[i].unit),

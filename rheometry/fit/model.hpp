@@ -1,5 +1,6 @@
 #pragma once
 
+#include "laws/flow/flow_law.hpp"
 #include "rheometry/fit/forward_model.hpp"
 #include "rheometry/fit/parameter.hpp"
 
@@ -43,6 +44,9 @@ struct Model {
     double (*yield_stress)(std::span<const double> values);
     /// d ln stress / d ln rate.
     double (*log_slope)(std::span<const double> values, double rate);
+    /// The law as the solvers take it; none for the laws that cases do not know (sisko, ellis,
+    /// windhab).
+    std::optional<laws::flow::AnyFlowLaw> (*for_solvers)(std::span<const double> values);
 
     [[nodiscard]] std::size_t size() const { return parameters.size(); }
     [[nodiscard]] std::optional<std::size_t> find(std::string_view key) const;

@@ -43,6 +43,28 @@ std::vector<PredictedPoint> predict(const Model& model, const FitResult& result,
     return points;
 }
 
+FitResult law_part(const FitResult& result, std::size_t parameters, double stress_per_observation,
+                   std::span<const double> rates) {
+    FitResult part = result;
+    const std::size_t all = result.search.size();
+    const auto cut = [&](const std::vector<double>& matrix) {
+        std::vector<double> kept;
+        for (std::size_t i = 0; i < parameters && !matrix.empty(); ++i)
+            for (std::size_t k = 0; k < parameters; ++k)
+                kept.push_back(matrix[i * all + k]);
+        return kept;
+    };
+    part.search.resize(parameters);
+    part.estimates.resize(parameters);
+    part.search_covariance = cut(result.search_covariance);
+    part.covariance = cut(result.covariance);
+    part.correlation = cut(result.correlation);
+    for (double& unit : part.units)
+        unit *= stress_per_observation;
+    part.present_rates.assign(rates.begin(), rates.end());
+    return part;
+}
+
 std::vector<double> spread_rates(double low, double high, std::size_t count) {
     std::vector<double> rates;
     for (std::size_t i = 0; i < count; ++i)

@@ -30,6 +30,13 @@ struct PredictedPoint {
                                                   const FlowData& data,
                                                   std::span<const double> rates);
 
+/// A fit through an instrument as if the law had been fitted to a flow curve: without parameters
+/// beyond the law's own (slip), and with what a residual is measured in as a stress.
+/// @param stress_per_observation  Pa per unit observed (N m)
+/// @param rates                   1/s, of the points
+[[nodiscard]] FitResult law_part(const FitResult& result, std::size_t parameters,
+                                 double stress_per_observation, std::span<const double> rates);
+
 /// Rates with equal steps in the logarithm, both ends exact.
 [[nodiscard]] std::vector<double> spread_rates(double low, double high, std::size_t count);
 

@@ -1,5 +1,7 @@
 #include "rheometry/fit/profile.hpp"
 
+#include "rheometry/fit/nearby_search.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -130,11 +132,11 @@ private:
         held_.low[index_] = value;
         held_.high[index_] = value;
         start[index_] = value;
-        Minimum best = minimise(held_, start, effort);
+        Minimum best = minimise_nearby(held_, start, effort);
         if (!std::isfinite(best.sum_of_squares)) {
             std::vector<double> from_optimum = minimum_.parameters;
             from_optimum[index_] = value;
-            Minimum again = minimise(held_, from_optimum, effort);
+            Minimum again = minimise_nearby(held_, from_optimum, effort);
             if (again.sum_of_squares < best.sum_of_squares)
                 best = std::move(again);
         }

@@ -21,8 +21,9 @@ void warn_of_bounds(FitResult& result) {
             result.warnings.push_back(fmt::format(
                 "yield_stress is 0: these data show none (it may reach {:.3g} Pa)", estimate.high));
         else
-            result.warnings.push_back(fmt::format("{} lies on its bound, {:.6g} {}", parameter.key,
-                                                  estimate.value, parameter.unit));
+            result.warnings.push_back(
+                fmt::format("{} lies on its bound, {:.6g}{}", parameter.key, estimate.value,
+                            parameter.unit == "1" ? "" : " " + parameter.unit));
     }
 }
 

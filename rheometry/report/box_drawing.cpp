@@ -80,21 +80,26 @@ Drafting draw_box(const geometry::Box& instrument) {
                  RichText{}.italic("v").upright("(").italic("y").upright(")"));
 
     const double speed_y = front_top - plate - depth - 14.0;
-    const double speed_x = left + depth + 0.5 * length - 40.0;
+    constexpr double speed_label = 88.0 + 165.0; // the arrow and its text
+    const double speed_x =
+        std::min(left + depth + 0.5 * length - 40.0, drawing_width - 6.0 - speed_label);
     drawing.line({speed_x, speed_y}, {speed_x + 80.0, speed_y}, "velocity");
     drawing.arrow_head({speed_x + 80.0, speed_y}, 0.0, "velocity-head");
     drawing.text({speed_x + 88.0, speed_y + 4.0},
                  RichText{"moving wall, "}.italic("U").upright(" and force ").italic("F"));
-    drawing.leader({right + 0.4 * depth, front_bottom - 0.4 * depth + 0.5 * plate},
-                   {right + depth + 24.0, front_bottom + plate + 14.0}, RichText{"fixed wall"});
+    constexpr double wall_label = 64.0;
+    drawing.leader({right + 0.9 * depth, front_bottom - 0.9 * depth + 0.5 * plate},
+                   {std::min(right + depth + 16.0, drawing_width - 6.0 - wall_label),
+                    front_bottom - depth - 0.25 * gap},
+                   RichText{"fixed wall"});
 
     drawing.vertical_dimension({left, front_top}, {left, front_bottom}, left - 24.0,
                                length_text("h", "", instrument.gap));
     drawing.horizontal_dimension({left, front_bottom + plate}, {right, front_bottom + plate},
                                  front_bottom + plate + 30.0,
                                  length_text("\u2113", "", instrument.length));
-    const Pixel near_corner{right, front_top - plate};
-    const Pixel far_corner{right + depth, front_top - plate - depth};
+    const Pixel near_corner{right, front_bottom + plate};
+    const Pixel far_corner{right + depth, front_bottom + plate - depth};
     constexpr double aside = 16.0;
     drawing.line(near_corner, {near_corner.x + aside + 3.0, near_corner.y}, "extension");
     drawing.line(far_corner, {far_corner.x + aside + 3.0, far_corner.y}, "extension");

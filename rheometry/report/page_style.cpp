@@ -29,6 +29,8 @@ figure{margin:0}
 figure.wide{grid-column:1/-1}
 .wide .panels{display:grid;grid-template-columns:repeat(2,minmax(0,1fr));gap:10px 30px;align-items:end}
 figure svg,.panels svg{display:block;width:100%;max-width:560px;height:auto;overflow:visible;margin:0 auto}
+figure.mesh svg{max-width:980px}
+figure.mesh{margin-bottom:20px}
 figcaption{font-size:14px;line-height:1.45;color:var(--ink);margin-top:8px}
 .table{overflow-x:auto;margin:0 0 20px}
 table{border-collapse:collapse;font-size:14px;line-height:1.4;width:100%;border-top:1.5px solid var(--ink);border-bottom:1.5px solid var(--ink)}

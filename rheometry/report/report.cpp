@@ -8,6 +8,7 @@
 #include "rheometry/report/flow_series.hpp"
 #include "rheometry/report/geometry_drawing.hpp"
 #include "rheometry/report/history_figures.hpp"
+#include "rheometry/report/mesh_section.hpp"
 #include "rheometry/report/number_text.hpp"
 #include "rheometry/report/page.hpp"
 #include "rheometry/report/property_rows.hpp"
@@ -167,6 +168,9 @@ std::string render_report(const ReportInput& input) {
 
     body += "<h2>Solution</h2>\n";
     body += property_table(solution_rows(input), numbered("How the torque was computed."));
+    if (input.mesh) {
+        body += mesh_section(*input.mesh, ++figure, ++table);
+    }
 
     body += "<h2>Data</h2>\n";
     body += data_table(input, ++table);

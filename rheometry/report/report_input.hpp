@@ -62,6 +62,13 @@ struct Fact {
     std::string value;
 };
 
+/// The mesh that a solution was found on.
+struct MeshDescription {
+    std::string picture; ///< one SVG element: the section, patches in colour
+    std::string caption; ///< a sentence
+    std::vector<Fact> facts;
+};
+
 /// Measured points beside the computed ones.
 struct MeasuredSeries {
     std::string name;
@@ -114,6 +121,8 @@ struct ReportInput {
     std::vector<StageTime> timings;
     /// Further rows of the table on the solution: steps, unknowns, torque balance.
     std::vector<Fact> solver_facts;
+    /// Absent where the model needs no mesh.
+    std::optional<MeshDescription> mesh;
 
     std::vector<MeasuredSeries> measured;
     std::vector<NamedRheogram> compared_with;

@@ -2,20 +2,17 @@
 
 #include "rheometry/tables/csv_scanner.hpp"
 #include "rheometry/tables/data_units.hpp"
+#include "rheometry/tables/file_kind.hpp"
 #include "rheometry/tables/number_text.hpp"
 #include "rheometry/tables/text_decoding.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fstream>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
 namespace searle::rheometry {
 namespace {
-
-constexpr std::size_t largest_file = std::size_t{1} << 30U;
 
 [[noreturn]] void fail(const std::string& file, std::size_t line, std::string message) {
     throw TableError(file, {{.line = line, .column = {}, .message = std::move(message)}});
@@ -90,9 +87,29 @@ private:
         if (std::ranges::all_of(record.fields, is_number))
             fail(table_.name_, record.line,
                  "the first line holds numbers; it must be the header, with the columns' names");
+        if (record.fields.size() == 1)
+            refuse_other_delimiter(record);
         for (const std::string_view field : record.fields)
             table_.columns_.push_back({.name = std::string(trimmed(field)), .unit = {}});
         forbid_duplicates(record.line);
+    }
+
+    /// A header of one field that something else than a delimiter splits into names.
+    void refuse_other_delimiter(const CsvRecord& record) {
+        const std::string_view header = trimmed(record.fields.front());
+        const std::string_view found = header.find('|') != std::string_view::npos    ? "|"
+                                       : header.find("  ") != std::string_view::npos ? "blanks"
+                                       : header.find(':') != std::string_view::npos  ? ":"
+                                                                                     : "";
+        // One blank may be part of a name; next to a name with _ it is none.
+        const bool blank = header.find(' ') != std::string_view::npos &&
+                           header.find('_') != std::string_view::npos;
+        if (!found.empty() || blank)
+            fail(
+                table_.name_, record.line,
+                fmt::format("the header is one field, \"{}\", with {} in it; the delimiter must be "
+                            "comma, semicolon or tab",
+                            header.substr(0, 60), found.empty() ? "blanks" : found));
     }
 
     void forbid_duplicates(std::size_t line) {
@@ -163,26 +180,7 @@ CsvTable CsvTable::parse(std::string_view bytes, std::string name) {
 }
 
 CsvTable CsvTable::read(const std::filesystem::path& file) {
-    const std::string name = file.string();
-    std::error_code ignored;
-    if (std::filesystem::is_directory(file, ignored))
-        fail(name, 0, "this is a directory; a file is needed");
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream)
-        fail(name, 0,
-             std::filesystem::exists(file, ignored) ? "the file cannot be opened"
-                                                    : "there is no such file");
-    std::string bytes;
-    std::vector<char> block(std::size_t{1} << 20U);
-    while (stream.read(block.data(), static_cast<std::streamsize>(block.size())) ||
-           stream.gcount() > 0) {
-        bytes.append(block.data(), static_cast<std::size_t>(stream.gcount()));
-        if (bytes.size() > largest_file)
-            fail(name, 0, "the file is larger than 1 GiB; convert it in parts");
-    }
-    if (stream.bad())
-        fail(name, 0, "the file cannot be read to its end");
-    return parse(bytes, name);
+    return parse(bytes_of(file), file.string());
 }
 
 std::optional<std::size_t> CsvTable::find(std::string_view column_name) const {

@@ -2,39 +2,24 @@
 
 #include "rheometry/tables/column_names.hpp"
 #include "rheometry/tables/csv_table.hpp"
+#include "rheometry/tables/file_kind.hpp"
 #include "rheometry/tables/flow_curve_blocks.hpp"
 #include "rheometry/tables/measured_data.hpp"
 #include "rheometry/tables/number_columns.hpp"
-#include "rheometry/tables/spreadsheet.hpp"
+#include "rheometry/tables/sheet_text.hpp"
 #include "rheometry/tables/text_decoding.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
 
 namespace searle::rheometry {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string bytes_of(const fs::path& file) {
-    std::error_code ignored;
-    const auto fail = [&](const char* message) {
-        throw TableError(file.string(), {{0, {}, message}});
-    };
-    if (fs::is_directory(file, ignored))
-        fail("this is a directory; a file is needed");
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream)
-        fail(fs::exists(file, ignored) ? "the file cannot be opened" : "there is no such file");
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
 
 std::vector<double> column(const CsvTable& table, NumberColumns& numbers, ColumnQuantity quantity) {
     TableFaults of_heading(table.name());
@@ -71,7 +56,7 @@ std::vector<fit::MeasuredPoint> points_of(const CsvTable& table,
                                   "relative, fitted, absolute, log or a column's name"});
         }
     }
-    numbers.faults().throw_if_any();
+    numbers.throw_if_any();
     const auto regime = table.find("regime");
     std::vector<fit::MeasuredPoint> points;
     for (std::size_t row = 0; row < table.rows(); ++row)
@@ -254,9 +239,9 @@ FlowCurveFile from_text(const fs::path& file, std::string_view bytes,
     return result;
 }
 
-FlowCurveFile from_spreadsheet(const fs::path& file) {
+FlowCurveFile from_trios(const std::vector<Sheet>& sheets, const fs::path& file) {
     FlowCurveFile result;
-    MeasuredData data = read_trios_spreadsheet(file);
+    MeasuredData data = measured_from_trios(sheets, file.string());
     result.remarks = std::move(data.remarks);
     for (MeasuredStep& step : data.steps) {
         if (step.exported_rate.empty() || step.exported_stress.empty()) {
@@ -275,7 +260,7 @@ FlowCurveFile from_spreadsheet(const fs::path& file) {
     }
     if (result.curves.empty())
         throw TableError(file.string(),
-                         {{0, {}, "no step of this workbook has a shear rate and a shear stress"}});
+                         {{0, {}, "no step of this export has a shear rate and a shear stress"}});
     return result;
 }
 
@@ -283,16 +268,24 @@ FlowCurveFile from_spreadsheet(const fs::path& file) {
 
 FlowCurveFile read_flow_curves(const fs::path& file,
                                const std::optional<std::string>& deviation_column) {
-    if (looks_like_spreadsheet(file))
-        return from_spreadsheet(file);
-    const std::string bytes = bytes_of(file);
-    if (bytes.starts_with("PK\x03\x04"))
-        throw TableError(file.string(),
-                         {{0,
-                           {},
-                           "this is an .xlsx workbook (or another zip archive); save it as .xls "
-                           "(Excel 97-2003) or as CSV"}});
-    return from_text(file, bytes, deviation_column);
+    const std::vector<Sheet> sheets = sheets_of(file);
+    if (sheets.empty())
+        return from_text(file, bytes_of(file), deviation_column);
+    if (is_trios_layout(sheets))
+        return from_trios(sheets, file);
+    FlowCurveFile result;
+    for (const Sheet& sheet : sheets) {
+        if (sheet.rows == 0)
+            continue;
+        // Messages and curves name the sheet.
+        FlowCurveFile read = from_text(fmt::format("{}, sheet {}", file.string(), sheet.name),
+                                       tab_delimited(sheet), deviation_column);
+        for (FlowCurveTable& curve : read.curves)
+            result.curves.push_back(std::move(curve));
+    }
+    if (result.curves.empty())
+        throw TableError(file.string(), {{0, {}, "the workbook's sheets are empty"}});
+    return result;
 }
 
 } // namespace searle::rheometry

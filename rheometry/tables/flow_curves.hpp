@@ -27,7 +27,8 @@ struct FlowCurveFile {
 ///  - exports that put such tables below lines of other text, several in a file (RheoCompass,
 ///    TRIOS): a table starts at a line with both headings and ends at an empty line;
 ///  - blocks of `id<TAB>name<TAB>code`, then rate<TAB>stress (1/s, Pa), then an empty line;
-///  - spreadsheets that TRIOS exported (.xls), with the rate and stress of its own software.
+///  - exports of TRIOS as workbooks (.xls, .xlsx) or JSON, with the rate and stress of its own
+///    software; other workbooks whose sheets hold tables as above.
 /// Numbers that are missing (empty, nan) are kept as NaN, text in their place is an error.
 /// Throws TableError.
 /// @param deviation_column  heading of the column with each stress's standard deviation, in the

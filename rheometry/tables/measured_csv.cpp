@@ -3,6 +3,7 @@
 #include "rheometry/tables/column_names.hpp"
 #include "rheometry/tables/csv_table.hpp"
 #include "rheometry/tables/number_columns.hpp"
+#include "rheometry/tables/number_text.hpp"
 
 namespace searle::rheometry {
 namespace {
@@ -17,8 +18,7 @@ std::vector<double> column_in_si(NumberColumns& numbers, const ColumnMatch& matc
 
 } // namespace
 
-MeasuredData read_measured_csv(const std::filesystem::path& file, DriveMotion motion) {
-    const CsvTable table = CsvTable::read(file);
+MeasuredData measured_from_table(const CsvTable& table, DriveMotion motion) {
     const bool turns = motion == DriveMotion::turning;
     NumberColumns numbers(table);
     const auto column = [&](ColumnQuantity quantity, bool required) -> std::vector<double> {
@@ -37,7 +37,13 @@ MeasuredData read_measured_csv(const std::filesystem::path& file, DriveMotion mo
     step.speed =
         column(turns ? ColumnQuantity::angular_velocity : ColumnQuantity::wall_speed, true);
     step.torque = column(turns ? ColumnQuantity::torque : ColumnQuantity::wall_force, true);
-    numbers.faults().throw_if_any();
+    numbers.throw_if_any();
+    const auto regime = table.find("regime");
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        step.lines.push_back(table.line(row));
+        if (regime)
+            step.regimes.emplace_back(trimmed(table.text(row, *regime)));
+    }
     MeasuredData data;
     data.steps.push_back(std::move(step));
     return data;

@@ -30,7 +30,13 @@ void NumberColumns::add_fault(std::size_t row, std::size_t column, std::string m
                  .message = std::move(message)});
 }
 
-void NumberColumns::compare_decimal_mark(std::size_t row, std::size_t column, DecimalMark mark) {
+void NumberColumns::compare_decimal_mark(std::size_t row, std::size_t column,
+                                         const NumberText& number) {
+    const DecimalMark mark = number.mark;
+    if (mark == DecimalMark::comma && !number.may_be_thousands)
+        comma_is_decimal_ = true;
+    else if (number.may_be_thousands && !undecided_)
+        undecided_ = {row, column};
     if (mark == DecimalMark::none || mark == mark_)
         return;
     if (mark_ == DecimalMark::none) {
@@ -45,6 +51,22 @@ void NumberColumns::compare_decimal_mark(std::size_t row, std::size_t column, De
                           name_of(mark_)));
 }
 
+void NumberColumns::throw_if_any() {
+    if (undecided_ && !comma_is_decimal_) {
+        const std::string_view cell = trimmed(table_.text(undecided_->row, undecided_->column));
+        std::string whole(cell);
+        std::erase(whole, ',');
+        std::string decimal(cell);
+        decimal[decimal.find(',')] = '.';
+        add_fault(
+            undecided_->row, undecided_->column,
+            fmt::format("{} may mean {} or {}; write numbers without thousands separators, or "
+                        "with a decimal comma and semicolons between the fields",
+                        shown(cell), whole, decimal));
+    }
+    faults_.throw_if_any();
+}
+
 std::vector<double> NumberColumns::read(std::size_t column, MissingValues missing) {
     const bool lenient = missing == MissingValues::allowed;
     std::vector<double> values(table_.rows(), std::numeric_limits<double>::quiet_NaN());
@@ -54,7 +76,7 @@ std::vector<double> NumberColumns::read(std::size_t column, MissingValues missin
         switch (number.outcome) {
         case NumberText::Outcome::number:
             values[row] = number.value;
-            compare_decimal_mark(row, column, number.mark);
+            compare_decimal_mark(row, column, number);
             break;
         case NumberText::Outcome::empty:
             if (!lenient)

@@ -24,6 +24,14 @@ NumberText from_point_text(std::string_view text, DecimalMark mark) {
             .mark = mark};
 }
 
+/// One to three digits, the first not 0, a comma, and just three digits.
+bool is_group_of_three(std::string_view text, std::size_t comma) {
+    const std::size_t sign = text.front() == '-' ? 1 : 0;
+    const std::size_t before = comma - sign;
+    return comma > sign && before <= 3 && text[sign] != '0' && text.size() == comma + 4 &&
+           text.find_first_not_of("0123456789,", sign) == std::string_view::npos;
+}
+
 } // namespace
 
 std::string_view trimmed(std::string_view text) {
@@ -57,7 +65,9 @@ NumberText read_number(std::string_view text) {
         return {.outcome = NumberText::Outcome::not_a_number};
     text.copy(with_point.data(), text.size());
     with_point[comma] = '.';
-    return from_point_text({with_point.data(), text.size()}, DecimalMark::comma);
+    NumberText number = from_point_text({with_point.data(), text.size()}, DecimalMark::comma);
+    number.may_be_thousands = is_group_of_three(text, comma);
+    return number;
 }
 
 std::string number_text(double value) { return fmt::format("{:.17g}", value); }

@@ -20,6 +20,8 @@ struct NumberText {
     double value{};
     /// The mark that the text holds; none for an integer.
     DecimalMark mark = DecimalMark::none;
+    /// A comma that may as well separate thousands: "1,000", "12,500" (read as 1 and 12.5).
+    bool may_be_thousands = false;
 };
 
 /// Reads one number; blanks around it, a leading + and a decimal comma are allowed, thousands

@@ -1,8 +1,8 @@
 #include "rheometry/tables/spreadsheet.hpp"
 
+#include "rheometry/tables/file_kind.hpp"
 #include "rheometry/tables/isolated_call.hpp"
 
-#include <array>
 #include <cstdint>
 #include <cstring>
 #include <fmt/format.h>
@@ -193,14 +193,6 @@ std::string_view Sheet::text(std::size_t row, std::size_t column) const {
     return found == nullptr ? std::string_view{} : std::string_view(*found);
 }
 
-bool looks_like_spreadsheet(const std::filesystem::path& file) {
-    constexpr std::string_view compound_file = "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1";
-    std::array<char, compound_file.size()> start{};
-    std::ifstream stream(file, std::ios::binary);
-    return stream.read(start.data(), start.size()) &&
-           std::string_view(start.data(), start.size()) == compound_file;
-}
-
 std::vector<Sheet> read_spreadsheet(const std::filesystem::path& file) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error))
@@ -208,7 +200,7 @@ std::vector<Sheet> read_spreadsheet(const std::filesystem::path& file) {
              std::filesystem::exists(file, error) ? "this is not a file" : "there is no such file");
     if (!std::ifstream(file))
         fail(file, "the file cannot be opened");
-    if (!looks_like_spreadsheet(file))
+    if (kind_of(file) != FileKind::binary_workbook)
         fail(file, "this is not a binary workbook (.xls)");
     const std::string path = file.string();
     const IsolatedResult result = call_isolated([&path] { return sheets_as_bytes(path); });

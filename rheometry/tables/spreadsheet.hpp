@@ -32,9 +32,6 @@ struct Sheet {
 /// that is missing, damaged, protected by a password, or no such workbook.
 [[nodiscard]] std::vector<Sheet> read_spreadsheet(const std::filesystem::path& file);
 
-/// True when the file starts as a binary workbook (an OLE compound file) does.
-[[nodiscard]] bool looks_like_spreadsheet(const std::filesystem::path& file);
-
 /// Version of the library that reads spreadsheets (FreeXL).
 [[nodiscard]] std::string spreadsheet_library_version();
 

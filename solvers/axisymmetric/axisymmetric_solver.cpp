@@ -138,6 +138,7 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
         solution.refinements = ends.levels();
         solution.linear_solves = ends.newton_steps();
         solution.unknowns = ends.unknowns();
+        report.division = ends.division();
         if (ends.solutions() > 0 && !ends.interrupted()) {
             const auto fastest =
                 *std::max_element(speeds.begin(), speeds.end(), [](double one, double other) {
@@ -182,6 +183,7 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
                 static_cast<long>(history->row_times.size() + history->pieces.size());
             solution.refinements = swirl.levels;
             solution.unknowns = swirl.unknowns;
+            report.division = swirl.division;
         } else {
             add_lag(plan, rows);
             if (plan.transient) {

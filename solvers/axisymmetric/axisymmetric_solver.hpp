@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rheometry/end_effect.hpp"
+#include "solvers/axisymmetric/section_mesh.hpp"
 #include "solvers/plan.hpp"
 #include "solvers/progress.hpp"
 #include "solvers/radial/radial_solver.hpp"
@@ -15,6 +16,8 @@ struct AxisymmetricReport {
     radial::RadialReport solution;
     /// c_L of the creeping flow at the row's speed; 1 at rest. One per row.
     std::vector<double> end_factor;
+    /// Of the mesh that the torques come from; without lines when every row is at rest.
+    SectionDivision division;
     /// The same with errors and bounds, of the rows that turn.
     std::vector<rheometry::EndEffect> ends;
 };

@@ -101,6 +101,7 @@ CreepingSwirl creeping_swirl(const SectionShape& shape, const laws::flow::AnyFlo
         result.elements = static_cast<int>(level->mesh().elements.size());
         result.newton_steps += level->steps();
         result.unknowns = level->unknowns();
+        result.division = {level->lines(), level->rotation_space().degree()};
         const double middle = law.homogeneity() > 0.0 ? 0.5 * (own.lower + own.upper)
                                                       : 0.5 * (own.dissipation + own.flux);
         const double half_bracket = 0.5 * (own.upper - own.lower);

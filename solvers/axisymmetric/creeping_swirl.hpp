@@ -1,6 +1,7 @@
 #pragma once
 
 #include "laws/flow/flow_law.hpp"
+#include "solvers/axisymmetric/section_mesh.hpp"
 #include "solvers/axisymmetric/section_shape.hpp"
 #include "solvers/progress.hpp"
 
@@ -33,9 +34,10 @@ struct CreepingTorque {
     double energy_gap{}; ///< (potential - conjugate) / potential
     bool reached{};      ///< `error`, or the bracket's width, is as small as was asked
     int levels{};
-    int elements{};     ///< of the finest level
-    int newton_steps{}; ///< over all levels and both fields
-    long unknowns{};    ///< of the finest level, both fields
+    int elements{};           ///< of the finest level
+    int newton_steps{};       ///< over all levels and both fields
+    long unknowns{};          ///< of the finest level, both fields
+    SectionDivision division; ///< of the finest level
 };
 
 /// Solves for the torque at one speed, refining until the accuracy is reached

@@ -117,7 +117,10 @@ void EndFactorCurve::solve(double speed) {
     elements_ = std::max(elements_, found.elements);
     levels_ = std::max(levels_, found.levels);
     newton_steps_ += found.newton_steps;
-    unknowns_ = std::max(unknowns_, found.unknowns);
+    if (found.unknowns > unknowns_) {
+        unknowns_ = found.unknowns;
+        division_ = found.division;
+    }
     reached_ = reached_ && found.reached;
 }
 

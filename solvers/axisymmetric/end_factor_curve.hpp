@@ -36,6 +36,8 @@ public:
     [[nodiscard]] int levels() const { return levels_; }
     [[nodiscard]] long newton_steps() const { return newton_steps_; }
     [[nodiscard]] long unknowns() const { return unknowns_; }
+    /// Of the solution with the most unknowns; without lines when nothing was solved.
+    [[nodiscard]] const SectionDivision& division() const { return division_; }
     /// False when a solution or the curve is less accurate than was asked.
     [[nodiscard]] bool reached() const { return reached_; }
 
@@ -64,6 +66,7 @@ private:
     int levels_{};
     long newton_steps_{};
     long unknowns_{};
+    SectionDivision division_;
     bool reached_ = true;
 };
 

@@ -57,6 +57,12 @@ constexpr std::size_t line_families = 6;
 /// Without fluid above the bob the families over_bob and above are empty; above in a double gap.
 using SectionLines = std::array<std::vector<double>, line_families>;
 
+/// How a section was divided in the end, and the degree of the polynomials on its elements.
+struct SectionDivision {
+    SectionLines lines;
+    int degree{};
+};
+
 /// Which intervals between lines are to be cut.
 using LineMarks = std::array<std::vector<bool>, line_families>;
 

@@ -146,7 +146,8 @@ SwirlResponse swirl_response(const SectionShape& shape, double viscosity, double
                            .at_once = inertia,
                            .modes = {},
                            .elements = static_cast<int>(mesh.elements.size()),
-                           .unknowns = space.unknowns()};
+                           .unknowns = space.unknowns(),
+                           .division = {lines, resolution.degree}};
     for (Index k = 0; k < count; ++k) {
         const double time = eigen.eigenvalues()[k];
         const double weight = eigen.eigenvectors()(0, k) * eigen.eigenvectors()(0, k);
@@ -265,6 +266,7 @@ TransientSwirl transient_swirl(const SectionShape& shape, double viscosity, doub
         result.elements = response.elements;
         result.resolution = resolution;
         result.unknowns = response.unknowns;
+        result.division = response.division;
         result.steady = response.steady;
         if (level > 0) {
             const std::vector<double> scale = scale_of(result.torque);

@@ -25,6 +25,7 @@ struct SwirlResponse {
     std::vector<Mode> modes;
     int elements{};
     long unknowns{};
+    SectionDivision division;
 };
 
 /// One level of resolution.
@@ -68,6 +69,7 @@ struct TransientSwirl {
     long unknowns{};
     double steady{};                 ///< torque over speed without inertia, N m s
     ResponseResolution resolution{}; ///< of the last level
+    SectionDivision division;        ///< of the last level
 };
 [[nodiscard]] TransientSwirl transient_swirl(const SectionShape& shape, double viscosity,
                                              double density, const rheometry::SpeedHistory& history,

@@ -1,5 +1,6 @@
 #include "solvers/fit_instrument/instrument_forward.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <variant>
@@ -14,6 +15,13 @@ struct GapPart {
 
 GapPart gap_part(double inner, double outer, double height) {
     return {{inner, outer}, 2.0 * std::numbers::pi * inner * inner * height};
+}
+
+/// The expansion of ln c_L about a law is not believed beyond this.
+constexpr double largest_change = 0.15;
+
+double added_torque(const std::vector<double>& added, std::size_t row) {
+    return added.empty() ? 0.0 : added[row];
 }
 
 std::vector<GapPart> parts_of(const geometry::Instrument& instrument) {
@@ -37,6 +45,9 @@ InstrumentForward::InstrumentForward(const rheometry::fit::Model& law,
         device.speeds = measurement.speeds;
         device.end_factors = measurement.end_factors;
         device.end_factors.resize(measurement.speeds.size(), measurement.end_factors.front());
+        device.end_factor_slopes = measurement.end_factor_slopes;
+        device.end_factor_search = measurement.end_factor_search;
+        device.added_torques = measurement.added_torques;
         for (const GapPart& part : parts_of(measurement.instrument))
             device.parts.push_back(
                 {GapCurve(part.gap, measurement.speeds), part.torque_per_stress});
@@ -49,6 +60,16 @@ InstrumentForward::InstrumentForward(const rheometry::fit::Model& law,
     }
 }
 
+double InstrumentForward::end_factor_change(const Device& device, std::size_t row,
+                                            std::span<const double> search) const {
+    double change = 0.0;
+    const std::size_t count = law_.size();
+    for (std::size_t i = 0; i < count && !device.end_factor_slopes.empty(); ++i)
+        change +=
+            device.end_factor_slopes[row * count + i] * (search[i] - device.end_factor_search[i]);
+    return change;
+}
+
 bool InstrumentForward::predict_box(const Device& device, std::span<const double> search,
                                     std::span<double> values, std::span<double> jacobian) const {
     std::vector<double> rates;
@@ -58,7 +79,7 @@ bool InstrumentForward::predict_box(const Device& device, std::span<const double
     std::vector<double> plain(jacobian.empty() ? 0 : rates.size() * count);
     law_.stresses(search.first(count), rates, values, plain);
     for (std::size_t k = 0; k < rates.size(); ++k) {
-        values[k] *= device.area;
+        values[k] = values[k] * device.area + added_torque(device.added_torques, k);
         // Slip in a box is left out: it needs a second gap to be told from the law.
         for (std::size_t i = 0; i < search.size() && !jacobian.empty(); ++i)
             jacobian[k * search.size() + i] = i < count ? plain[k * count + i] * device.area : 0.0;
@@ -72,6 +93,9 @@ bool InstrumentForward::predict_gaps(const Device& device, std::span<const doubl
     const double slip = slip_ ? search[count] : 0.0;
     for (std::size_t k = 0; k < device.speeds.size(); ++k) {
         values[k] = 0.0;
+        const double change = end_factor_change(device, k, search);
+        const double bent = std::clamp(change, -largest_change, largest_change);
+        const double factor = device.end_factors[k] * std::exp(bent);
         for (std::size_t i = 0; i < search.size() && !jacobian.empty(); ++i)
             jacobian[k * search.size() + i] = 0.0;
         for (const Part& part : device.parts) {
@@ -79,7 +103,7 @@ bool InstrumentForward::predict_gaps(const Device& device, std::span<const doubl
                 part.curve.at(k, law_, search.first(count), slip, !jacobian.empty());
             if (!std::isfinite(flow.inner_stress))
                 return false;
-            const double lever = part.torque_per_stress * device.end_factors[k];
+            const double lever = part.torque_per_stress * factor;
             values[k] += lever * flow.inner_stress;
             if (jacobian.empty())
                 continue;
@@ -88,6 +112,11 @@ bool InstrumentForward::predict_gaps(const Device& device, std::span<const doubl
             if (slip_)
                 jacobian[k * search.size() + count] += lever * flow.slip_derivative;
         }
+        if (!jacobian.empty() && bent == change && !device.end_factor_slopes.empty())
+            for (std::size_t i = 0; i < count; ++i)
+                jacobian[k * search.size() + i] +=
+                    values[k] * device.end_factor_slopes[k * count + i];
+        values[k] += added_torque(device.added_torques, k);
     }
     return true;
 }

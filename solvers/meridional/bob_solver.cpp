@@ -110,6 +110,9 @@ void apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& rep
     solution.refinements = std::max(solution.refinements, curve.levels());
     solution.unknowns = std::max(solution.unknowns, curve.unknowns());
     solution.linear_solves += curve.factorisations();
+    if (const FlowLevel* const finest = curve.finest()) {
+        report.division = {finest->lines(), finest->space().degree()};
+    }
     solution.notes.push_back(
         fmt::format("Secondary flow multiplies the steady torque by up to {:.6g} ({} solution{} of "
                     "the flow with inertia).",
@@ -142,6 +145,7 @@ void run_in_time(const Scene& scene, const rheometry::SpeedHistory& history,
     solution.refinements = run.levels;
     solution.elements = run.elements;
     solution.time_steps = run.time_steps;
+    report.division = run.division;
     solution.unknowns = run.unknowns;
     solution.linear_solves = run.linear_solves;
     solution.interrupted = run.interrupted;

@@ -28,6 +28,8 @@ public:
     [[nodiscard]] int levels() const { return levels_; }
     [[nodiscard]] long unknowns() const { return unknowns_; }
     [[nodiscard]] long factorisations() const { return flow_.factorisations(); }
+    /// The level of the flow solved for last, or null.
+    [[nodiscard]] FlowLevel* finest() { return flow_.finest(); }
     /// Growth of the leading axisymmetric disturbance of the steady flow at a speed, 1/s (real
     /// part) and rad/s (imaginary part); nothing where it cannot be told. Solves for the flow
     /// again.

@@ -147,6 +147,7 @@ TransientTorque transient_secondary_flow(const geometry::DinBob& bob,
             ++result.levels;
             result.elements = static_cast<int>(level.mesh().elements.size());
             result.unknowns = level.space().unknowns();
+            result.division = {level.lines(), level.space().degree()};
             result.time_steps = run.steps;
             result.linear_solves += run.solves;
             const bool complete = torque.size() == rows;

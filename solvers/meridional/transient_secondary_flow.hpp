@@ -3,6 +3,7 @@
 #include "geometry/din_bob.hpp"
 #include "laws/flow/flow_law.hpp"
 #include "rheometry/speed_history.hpp"
+#include "solvers/axisymmetric/section_mesh.hpp"
 #include "solvers/progress.hpp"
 
 #include <string>
@@ -19,8 +20,9 @@ struct TransientTorque {
     bool reached{};                ///< all rows are there, each as accurate as was asked
     bool interrupted{};
     int levels{};
-    int elements{};  ///< of the finest level
-    long unknowns{}; ///< of the finest level
+    int elements{};                         ///< of the finest level
+    long unknowns{};                        ///< of the finest level
+    axisymmetric::SectionDivision division; ///< of the finest level
     long time_steps{};
     long linear_solves{}; ///< over all levels
     std::string stopped;  ///< why the rows end early; empty where they do not

@@ -128,6 +128,32 @@ TEST_F(ConvertVerb, a_step_that_is_not_there_is_refused) {
     EXPECT_TRUE(holds(outcome.err, "plain table")) << outcome.err;
 }
 
+// Water in a ramp: the first rows are inertia, and without them no yield stress is left to see.
+TEST_F(ConvertVerb, rows_with_lag_give_no_yield_stress) {
+    const std::string water = cases + "single-gap-water.toml";
+    ASSERT_EQ(searle({"run", water, "-o", "run", "--quiet"}, folder.path()).exit_code, 0);
+    const Outcome outcome = convert({"run/rheogram.csv", "--case", water, "-o", "out.csv"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(holds(outcome.err, "rows carry lag")) << outcome.err;
+    EXPECT_FALSE(holds(outcome.err, "yield stress")) << outcome.err;
+    EXPECT_TRUE(holds(text_of(folder / "out.csv"), ",nan,nan,unknown,"));
+}
+
+TEST_F(ConvertVerb, results_beyond_double_precision_are_an_error_with_the_line) {
+    write_text(folder / "lab.csv", "angular_velocity_rad_s,torque_N_m\n1,1e-3\n2,1e308\n");
+    const Outcome outcome = convert({"lab.csv", "--case", din_bob, "-o", "out.csv"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_TRUE(holds(outcome.err, "line 3")) << outcome.err;
+    EXPECT_EQ(names_in(folder.path()), "lab.csv");
+}
+
+TEST_F(ConvertVerb, thousands_separators_are_refused) {
+    write_text(folder / "lab.csv", "speed [rpm],torque [uN.m]\n\"1,000\",\"2,000\"\n");
+    const Outcome outcome = convert({"lab.csv", "--case", din_bob});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_TRUE(holds(outcome.err, "may mean 1000 or 1.000")) << outcome.err;
+}
+
 TEST_F(ConvertVerb, one_step_of_a_spreadsheet_is_chosen_by_number_or_name) {
     const fs::path file =
         fs::path(SEARLE_SOURCE_DIR) / ".." / "shared" / "data" / "din_cylinder_surfactant_15C.xls";

@@ -4,8 +4,10 @@
 #include "rheometry/tables/spreadsheet.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <optional>
 
 namespace searle::rheometry {
@@ -66,7 +68,8 @@ public:
                                  .unit = std::string(sheet.text(unit_row, column))});
     }
 
-    /// The column with exactly this heading, in SI units; empty when there is none.
+    /// The column with exactly this heading, in SI units, NaN for empty cells; empty when there is
+    /// none.
     [[nodiscard]] std::vector<double> column(std::string_view heading, ColumnQuantity quantity) {
         const auto found = std::ranges::find(headings_, heading, &Heading::name);
         if (found == headings_.end())
@@ -83,11 +86,14 @@ public:
         for (std::size_t row = first_data_row; row < sheet_.rows; ++row) {
             if (is_empty(row))
                 continue;
-            const auto* const number = std::get_if<double>(&sheet_.cell(row, index));
-            if (number == nullptr || !std::isfinite(*number))
+            const SheetCell& cell = sheet_.cell(row, index);
+            const auto* const number = std::get_if<double>(&cell);
+            if (std::holds_alternative<std::string>(cell) ||
+                (number != nullptr && !std::isfinite(*number)))
                 add_fault(row, heading,
                           fmt::format("\"{}\" is not a number", sheet_.text(row, index)));
-            values.push_back(number == nullptr ? 0.0 : *number * *factor);
+            values.push_back(number == nullptr ? std::numeric_limits<double>::quiet_NaN()
+                                               : *number * *factor);
         }
         return values;
     }
@@ -125,6 +131,29 @@ bool increases(const std::vector<double>& values) {
            std::ranges::adjacent_find(values, std::greater_equal{}) == values.end();
 }
 
+/// Leaves out the rows in which one of the columns that the step has is empty.
+void drop_incomplete(MeasuredStep& step, std::vector<double>& angle, MeasuredData& data) {
+    const std::array<std::vector<double>*, 6> columns{
+        &step.time, &step.speed, &step.torque, &step.exported_rate, &step.exported_stress, &angle};
+    const std::size_t rows = step.torque.size();
+    std::vector<bool> whole(rows, true);
+    for (const std::vector<double>* column : columns)
+        for (std::size_t row = 0; row < column->size(); ++row)
+            whole[row] = whole[row] && std::isfinite((*column)[row]);
+    const auto left = static_cast<std::size_t>(std::ranges::count(whole, false));
+    if (left == 0)
+        return;
+    for (std::vector<double>* column : columns) {
+        std::size_t kept = 0;
+        for (std::size_t row = 0; row < column->size(); ++row)
+            if (whole[row])
+                (*column)[kept++] = (*column)[row];
+        column->resize(kept);
+    }
+    data.remarks.push_back(
+        fmt::format("step \"{}\": {} of {} rows left out: a cell is empty", step.name, left, rows));
+}
+
 std::optional<MeasuredStep> read_step(const Sheet& sheet, MeasuredData& data, TableFaults& faults) {
     StepReader reader(sheet, faults);
     MeasuredStep step;
@@ -136,6 +165,11 @@ std::optional<MeasuredStep> read_step(const Sheet& sheet, MeasuredData& data, Ta
     step.speed = reader.column("Velocity", ColumnQuantity::angular_velocity);
     step.exported_rate = reader.column("Shear rate", ColumnQuantity::shear_rate);
     step.exported_stress = reader.column("Stress", ColumnQuantity::shear_stress);
+    std::vector<double> angle;
+    if (step.speed.empty() && (step.exported_rate.empty() || !data.geometry.strain_constant))
+        angle = reader.column("Displacement", ColumnQuantity::angle);
+    if (!step.torque.empty() && faults.empty())
+        drop_incomplete(step, angle, data);
     if (step.torque.empty()) {
         data.remarks.push_back(fmt::format("step \"{}\" left out: it has no torque column, as in "
                                            "oscillation",
@@ -152,7 +186,6 @@ std::optional<MeasuredStep> read_step(const Sheet& sheet, MeasuredData& data, Ta
             sheet.name, *data.geometry.strain_constant));
         return step;
     }
-    const std::vector<double> angle = reader.column("Displacement", ColumnQuantity::angle);
     if (!angle.empty() && increases(step.time)) {
         step.speed = speed_from(angle, step.time);
         step.is_flow_curve = false;
@@ -169,10 +202,13 @@ std::optional<MeasuredStep> read_step(const Sheet& sheet, MeasuredData& data, Ta
 
 } // namespace
 
-MeasuredData read_trios_spreadsheet(const std::filesystem::path& file) {
-    const std::vector<Sheet> sheets = read_spreadsheet(file);
+bool is_trios_layout(std::span<const Sheet> sheets) {
+    return std::ranges::any_of(sheets, [](const Sheet& sheet) { return sheet.name == "Details"; });
+}
+
+MeasuredData measured_from_trios(std::span<const Sheet> sheets, const std::string& file) {
     MeasuredData data;
-    TableFaults faults(file.string());
+    TableFaults faults(file);
     for (const Sheet& sheet : sheets)
         if (sheet.name == "Details")
             data.geometry = geometry_of(sheet);
