@@ -117,13 +117,14 @@ void apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& rep
         fmt::format("Secondary flow multiplies the steady torque by up to {:.6g} ({} solution{} of "
                     "the flow with inertia).",
                     largest, curve.solutions(), curve.solutions() == 1 ? "" : "s"));
-    note_stability(plan, curve, solution);
     if (slowest_failure > 0.0) {
         solution.notes.push_back(
             fmt::format("No steady secondary flow was found at {:.4g} rad/s, nor at any faster row "
                         "with an error of 100 %: those torques are creeping ones.",
                         slowest_failure));
+        return;
     }
+    note_stability(plan, curve, solution);
 }
 
 /// Fills the rows from a run in time.

@@ -63,15 +63,6 @@ TEST(SteadySecondaryFlow, factor_depends_on_the_reynolds_number_alone) {
     EXPECT_NEAR(small.at(1.0).factor, large.at(0.1).factor, 1e-7);
 }
 
-/// A fluid whose Reynolds number rises as the speed falls (n > 2) is reached all the same.
-TEST(SteadySecondaryFlow, strongly_thickening_fluids_have_a_factor) {
-    const flow::AnyFlowLaw law = flow::PowerLaw{1e-4, 2.2};
-    SteadySecondaryFlow thickening(iso_bob, law, density, 1e-2);
-    const InertiaFactor found = thickening.at(1.0);
-    EXPECT_TRUE(found.reached);
-    EXPECT_GT(found.factor, 1.0 + 1e-3);
-}
-
 /// Many speeds are interpolated: at speeds that are not points of the curve it agrees with a
 /// solution of its own, and signs do not matter.
 TEST(InertiaFactorCurve, interpolated_factors_hold_their_error) {
