@@ -1,6 +1,6 @@
 #include "app/solved_case.hpp"
 
-#include "solvers/axisymmetric/axisymmetric_solver.hpp"
+#include "solvers/meridional/bob_solver.hpp"
 
 #include <fmt/format.h>
 
@@ -72,7 +72,7 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
     std::vector<double> end_factors;
     if (solved.plan.model == "axisymmetric") {
         solvers::axisymmetric::AxisymmetricReport report =
-            solvers::axisymmetric::solve_axisymmetric(scene, solved.plan, progress);
+            solvers::meridional::solve_bob(scene, solved.plan, progress);
         solved.solution = std::move(report.solution);
         end_factors = std::move(report.end_factor);
         solved.ends = std::move(report.ends);

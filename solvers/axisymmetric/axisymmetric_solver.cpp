@@ -162,6 +162,9 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
     const auto schedule = rheometry::schedule(
         scene.protocol, rheometry::conversion_for(scene.instrument, scene.conversion));
     const auto* newtonian = std::get_if<laws::flow::Newtonian>(&scene.fluid.law);
+    // Then the solver of the secondary flow runs the history, and these rows are only its start.
+    const bool followed_in_time =
+        plan.secondary_flow && plan.transient && laws::flow::yield_stress(scene.fluid.law) == 0.0;
     if (const auto* history = std::get_if<rheometry::SpeedHistory>(&schedule)) {
         if (plan.transient && newtonian != nullptr && !solution.interrupted) {
             const TransientSwirl swirl = transient_swirl(shape, newtonian->viscosity,
@@ -182,13 +185,14 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
                 static_cast<long>(history->row_times.size() + history->pieces.size());
             solution.refinements = swirl.levels;
             solution.unknowns = swirl.unknowns;
-        } else {
+        } else if (!followed_in_time) {
             add_lag(plan, rows);
             if (plan.transient) {
                 solution.notes.emplace_back(
-                    "Inertia in the whole section is solved for Newtonian fluids alone: here each "
-                    "row is a steady flow, and its error includes three times the inertia that the "
-                    "plan estimates.");
+                    "Without secondary flow, and for a fluid with a yield stress, inertia in the "
+                    "whole section is solved for Newtonian fluids alone: here each row is a steady "
+                    "flow, and its error includes three times the inertia that the plan "
+                    "estimates.");
             }
         }
     }
@@ -200,10 +204,7 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
             solution.interrupted = true;
         }
     }
-    const bool counts_secondary_flow = scene.solver.secondary_flow == Switch::on ||
-                                       (scene.solver.secondary_flow == Switch::automatic &&
-                                        scene.solver.model == Model::automatic);
-    if (counts_secondary_flow) {
+    if (!plan.secondary_flow && scene.solver.secondary_flow == Switch::automatic) {
         add_end_flow(plan, rows);
     }
 
@@ -219,19 +220,6 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
         }
     }
     solution.reached = !solution.interrupted && solution.worst_relative_error <= accuracy;
-    if (counts_secondary_flow && !solution.reached) {
-        double share = 0.0;
-        for (const RowForecast& row : plan.rows) {
-            share = std::max(share, row.end_flow_share);
-        }
-        if (share > accuracy / left_out_margin) {
-            solution.notes.push_back(fmt::format(
-                "Secondary flow at the bob's ends is estimated at up to {:.3g} % of the torque and "
-                "is not solved by this version: the rows' errors include three times the estimate. "
-                "secondary_flow = false asks for swirl alone.",
-                100.0 * share));
-        }
-    }
     return report;
 }
 
