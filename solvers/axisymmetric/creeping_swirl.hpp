@@ -20,7 +20,7 @@ struct CreepingSettings {
     long most_unknowns = 120'000; ///< of both fields together
     /// Newton steps times unknowns, over all levels, beyond which no further level is begun: some
     /// seconds.
-    double most_work = 1.5e7;
+    double most_work = 6e6;
 };
 
 /// Steady swirl without inertia around a DIN bob that turns in its cup, ends included.
