@@ -1,6 +1,7 @@
 #include "app/solved_case.hpp"
 
 #include "solvers/meridional/bob_solver.hpp"
+#include "solvers/meridional/vortex_solver.hpp"
 
 #include <fmt/format.h>
 
@@ -70,7 +71,9 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
                       .clock = std::move(planned.clock)};
     const solvers::Scene& scene = solved.source.scene;
     std::vector<double> end_factors;
-    if (solved.plan.model == "axisymmetric") {
+    if (solved.plan.vortices) {
+        solved.solution = solvers::meridional::solve_with_vortices(scene, solved.plan, progress);
+    } else if (solved.plan.model == "axisymmetric") {
         solvers::axisymmetric::AxisymmetricReport report =
             solvers::meridional::solve_bob(scene, solved.plan, progress);
         solved.solution = std::move(report.solution);

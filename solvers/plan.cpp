@@ -49,6 +49,17 @@ bool needs_secondary_flow(const Scene& scene, const Forecast& forecast) {
            });
 }
 
+/// Vortices past the onset are solved in gaps whose ends are left out; with a yield stress the
+/// onset is an estimate and nothing here follows what comes after it.
+bool needs_vortices(const Scene& scene, const Forecast& forecast) {
+    const bool has_gap = std::holds_alternative<geometry::ConcentricCylinders>(scene.instrument) ||
+                         std::holds_alternative<geometry::DoubleGap>(scene.instrument);
+    return has_gap && !has_ends(scene) && scene.solver.model != Model::radial &&
+           scene.solver.secondary_flow != Switch::off &&
+           !(laws::flow::yield_stress(scene.fluid.law) > 0.0) && forecast.taylor &&
+           forecast.taylor->largest_ratio > 1.0;
+}
+
 std::string why_radial(const Scene& scene) {
     struct Reason {
         std::string operator()(const geometry::ConcentricCylinders&) const {
@@ -98,12 +109,13 @@ Choice choose(const Scene& scene, const Forecast& forecast, bool transient) {
                             : " engine = \"native\" solves this scene with the radial model."),
             false, false};
     }
-    if (asked == Model::three_dimensional || (asked == Model::axisymmetric && !has_ends(scene))) {
-        const char* name = asked == Model::axisymmetric ? "axisymmetric" : "3d";
-        return {name,
+    const bool has_axis = !is_box(scene);
+    if (asked == Model::three_dimensional || (asked == Model::axisymmetric && !has_axis)) {
+        return {asked == Model::axisymmetric ? "axisymmetric" : "3d",
                 fmt::format("solver.model = \"{}\": this version has no such model of this "
                             "instrument. model = \"auto\" solves this scene with the {} model.",
-                            name, has_ends(scene) ? "axisymmetric" : "radial"),
+                            asked == Model::axisymmetric ? "axisymmetric" : "3d",
+                            has_ends(scene) ? "axisymmetric" : "radial"),
                 false, false};
     }
     if (asked == Model::radial && forecast.conversion.end_factor_provisional) {
@@ -113,6 +125,14 @@ Choice choose(const Scene& scene, const Forecast& forecast, bool transient) {
             "solver.model = \"radial\" leaves out; model = \"auto\" has it, and so has a number "
             "for c_L (the default is 1.10).",
             false, false};
+    }
+    if (needs_vortices(scene, forecast)) {
+        return {"axisymmetric",
+                fmt::format("Re / Re_c reaches {:.4g}: Taylor vortices in an axially periodic cell "
+                            "on top of the laminar flow in the gap; {}.",
+                            forecast.taylor->largest_ratio,
+                            why_transient(scene, forecast, transient)),
+                true, false};
     }
     if (has_ends(scene) && asked != Model::radial) {
         return {"axisymmetric",
@@ -125,7 +145,11 @@ Choice choose(const Scene& scene, const Forecast& forecast, bool transient) {
                 true, false};
     }
     return {transient ? "radial transient" : "radial steady",
-            fmt::format("{}; {}.", why_radial(scene), why_transient(scene, forecast, transient)),
+            fmt::format("{}{}; {}.", why_radial(scene),
+                        asked == Model::axisymmetric
+                            ? ": below the onset of Taylor vortices the axisymmetric model is this"
+                            : "",
+                        why_transient(scene, forecast, transient)),
             true, true};
 }
 
@@ -158,12 +182,14 @@ Plan make_plan(const Scene& scene) {
     }
     plan.can_be_solved = choice.can_be_solved;
     plan.secondary_flow = choice.can_be_solved && needs_secondary_flow(scene, forecast);
+    plan.vortices = choice.can_be_solved && needs_vortices(scene, forecast);
     plan.items = plan_items(scene, forecast,
                             {.radial = choice.is_radial,
                              .transient = plan.transient,
-                             .secondary_flow = plan.secondary_flow});
+                             .secondary_flow = plan.secondary_flow,
+                             .vortices = plan.vortices});
     plan.warnings = choice_warnings(scene, choice);
-    for (std::string& warning : plan_warnings(scene, forecast)) {
+    for (std::string& warning : plan_warnings(scene, forecast, plan.vortices)) {
         plan.warnings.push_back(std::move(warning));
     }
     if (choice.is_radial) {

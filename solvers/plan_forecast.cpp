@@ -1,7 +1,6 @@
 #include "solvers/plan_forecast.hpp"
 
 #include "rheometry/schedule.hpp"
-#include "solvers/axisymmetric/section_shape.hpp"
 #include "solvers/plan_lag.hpp"
 #include "solvers/plan_steady_curve.hpp"
 #include "solvers/regime.hpp"
@@ -195,26 +194,9 @@ private:
     double onset_shear_rate_ = std::numeric_limits<double>::infinity();
 };
 
-/// The bob whose ends drive a secondary flow; for a double gap one as large as its rotor outside,
-/// with a flat bottom. No value without ends.
-std::optional<geometry::DinBob> bob_that_drives(const geometry::Instrument& instrument) {
-    const auto shape = axisymmetric::section_shape(instrument);
-    if (!shape || shape->bob() != nullptr) {
-        return shape ? std::optional{*shape->bob()} : std::nullopt;
-    }
-    const axisymmetric::DoubleGapSection& gap = *shape->double_gap();
-    const double radius = gap.radii[2];
-    return geometry::DinBob{.bob_radius = radius,
-                            .cup_radius = gap.radii[3],
-                            .length_ratio = gap.height / radius,
-                            .bottom_ratio = gap.bottom_gap / radius,
-                            .top_ratio = 0.0,
-                            .cone_angle = std::numbers::pi};
-}
-
 } // namespace
 
-double end_flow_share(const geometry::DinBob& bob, double reynolds) {
+double end_flow_share(double radius_ratio, double length_ratio, double reynolds) {
     // M / M_creeping - 1 of the ISO bob: Re^2 at first, Re^0.8 where boundary layers form.
     constexpr double slow = 9.7e-7;
     constexpr double turning_point = 185.0;
@@ -226,7 +208,7 @@ double end_flow_share(const geometry::DinBob& bob, double reynolds) {
     constexpr double iso_length = 3.0;
     const auto narrowness = [](double ratio) { return 1.0 - 1.0 / (ratio * ratio); };
     const double cylinder =
-        bob.length_ratio / iso_length * narrowness(iso_ratio) / narrowness(bob.radius_ratio());
+        length_ratio / iso_length * narrowness(iso_ratio) / narrowness(radius_ratio);
     const double extra = iso / cylinder;
     return extra / (1.0 + extra);
 }
@@ -249,7 +231,6 @@ Forecast forecast(const Scene& scene) {
     }
 
     const bool has_ends = geometry::has_ends(scene.instrument);
-    const std::optional<geometry::DinBob> driving_bob = bob_that_drives(scene.instrument);
     const double end_factor = has_ends ? result.conversion.end_factor : 1.0;
     const InstrumentGap& decisive = curve.gaps().back();
     const bool is_plane = decisive.plane_width > 0.0;
@@ -288,7 +269,11 @@ Forecast forecast(const Scene& scene) {
                 }
             }
             if (has_ends) {
-                facts.end_flow_share = end_flow_share(*driving_bob, facts.end_reynolds);
+                const double radius = decisive.annulus.inner_radius;
+                const double height =
+                    decisive.torque_per_stress / (2.0 * std::numbers::pi * radius * radius);
+                facts.end_flow_share = end_flow_share(decisive.annulus.outer_radius / radius,
+                                                      height / radius, facts.end_reynolds);
                 row.end_flow_share = facts.end_flow_share;
             }
             facts.definition_error =

@@ -109,7 +109,7 @@ PlanItem secondary_flow_item(const Scene& scene, const Forecast& forecast, bool 
                         secondary_flow_decision(scene, is_solved))};
 }
 
-PlanItem taylor_item(const Forecast& forecast) {
+PlanItem taylor_item(const Forecast& forecast, bool is_solved) {
     if (!forecast.taylor) {
         const std::size_t worst =
             row_of_largest(forecast, [&](std::size_t i) { return forecast.facts[i].reynolds; });
@@ -122,7 +122,7 @@ PlanItem taylor_item(const Forecast& forecast) {
     const TaylorOnset& taylor = *forecast.taylor;
     const std::size_t above =
         count_rows(forecast, [&](std::size_t i) { return forecast.rows[i].taylor_ratio > 1.0; });
-    return {"Taylor vortices", false,
+    return {"Taylor vortices", is_solved,
             fmt::format("Re = R omega d / nu reaches {:.4g}, the critical value is {:.6g}; largest "
                         "Re / Re_c {:.3g}, {} above the onset.",
                         taylor.reynolds, taylor.critical_reynolds, taylor.largest_ratio,
@@ -168,7 +168,7 @@ PlanItem mesh_item(PlannedModel model) {
 std::vector<PlanItem> plan_items(const Scene& scene, const Forecast& forecast, PlannedModel model) {
     return {inertia_item(scene, forecast, model.transient),
             yield_item(scene, forecast),
-            taylor_item(forecast),
+            taylor_item(forecast, model.vortices),
             secondary_flow_item(scene, forecast, model.secondary_flow),
             ends_item(scene, forecast, model),
             mesh_item(model),
