@@ -44,8 +44,8 @@ int main() {
     }
     for (const double accuracy : {1e-3, 1e-5}) {
         const double start = cpu_seconds();
-        const auto swirl = solvers::axisymmetric::transient_swirl({0.014, 0.0152}, 1.0016e-3, 998.2,
-                                                                  ramp, accuracy);
+        const auto swirl = solvers::axisymmetric::transient_swirl(geometry::DinBob{0.014, 0.0152},
+                                                                  1.0016e-3, 998.2, ramp, accuracy);
         fmt::print(
             "water ramp, 100 points, accuracy {:.0e}: worst error {:.1e}, {:.3f} s, {} modes\n",
             accuracy, swirl.worst_relative_error, cpu_seconds() - start, swirl.modes);

@@ -87,14 +87,15 @@ void draw_radius(Drafting& drawing, const SectionScale& scale, double radius, do
     drawing.text({scale.at(cup_radius, 0.0).x + wall + 6.0, along + 4.0}, text);
 }
 
-void draw_note(Drafting& drawing, const SectionScale& scale, double y) {
+void draw_note(Drafting& drawing, const SectionScale& scale, double y, bool ends) {
     const std::string proportions =
         scale.to_scale() ? "to scale" : "height not to the scale of the radii";
     drawing.text({width - 6.0, y - 15.0}, RichText{"vertical half-section, " + proportions},
                  Anchor::end, "halo soft small");
     drawing.text({width - 6.0, y},
-                 RichText{"ends, beyond the dashed lines, are not part of the model"}, Anchor::end,
-                 "halo soft small");
+                 RichText{ends ? "the model's ends, beyond the dashed lines, are not drawn"
+                               : "ends, beyond the dashed lines, are not part of the model"},
+                 Anchor::end, "halo soft small");
 }
 
 } // namespace
@@ -131,7 +132,7 @@ Drafting draw_single_gap(const geometry::ConcentricCylinders& instrument) {
                                      0.3 * instrument.height);
         drawing.text({fluid.x, fluid.y}, RichText{"fluid"}, Anchor::middle);
     }
-    draw_note(drawing, scale, height - 8.0);
+    draw_note(drawing, scale, height - 8.0, instrument.ends);
     return drawing;
 }
 
@@ -162,7 +163,7 @@ Drafting draw_double_gap(const geometry::DoubleGap& instrument) {
     const Pixel middle = scale.at(radii[1], magnified_at * instrument.height);
     magnify_gap(drawing, scale, layers, magnified_at * instrument.height,
                 {width - 104.0, std::max(200.0, middle.y + 30.0)}, 88.0);
-    draw_note(drawing, scale, height - 8.0);
+    draw_note(drawing, scale, height - 8.0, instrument.ends);
     return drawing;
 }
 

@@ -47,6 +47,13 @@ struct Describe {
                    it.radius_ratio());
         const double area = std::numbers::pi * it.gap() * (it.cup_radius + it.bob_radius);
         out.add("Volume in the gap", "", volume_text(area * it.height));
+        if (it.ends) {
+            out.length("Gap below the bob", "", it.bottom_gap, "geometry.bottom_gap");
+            if (it.top_gap > 0.0) {
+                out.length("Fluid above the bob", "", it.top_gap, "geometry.top_gap");
+                out.length("Shaft radius", "", it.shaft_radius, "geometry.shaft_radius");
+            }
+        }
     }
 
     void operator()(const geometry::DoubleGap& it) const {
@@ -65,6 +72,9 @@ struct Describe {
         const double area = std::numbers::pi *
                             (it.inner_gap() * (inside + post) + it.outer_gap() * (cup + outside));
         out.add("Volume in the gaps", "", volume_text(area * it.height));
+        if (it.ends) {
+            out.length("Gap below the rotor", "", it.bottom_gap, "geometry.bottom_gap");
+        }
     }
 
     void operator()(const geometry::DinBob& it) const {

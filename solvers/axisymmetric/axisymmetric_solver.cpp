@@ -163,6 +163,9 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
     const auto schedule = rheometry::schedule(
         scene.protocol, rheometry::conversion_for(scene.instrument, scene.conversion));
     const auto* newtonian = std::get_if<laws::flow::Newtonian>(&scene.fluid.law);
+    // Then the solver of the secondary flow runs the history, and these rows are only its start.
+    const bool followed_in_time =
+        plan.secondary_flow && plan.transient && laws::flow::yield_stress(scene.fluid.law) == 0.0;
     if (const auto* history = std::get_if<rheometry::SpeedHistory>(&schedule)) {
         if (plan.transient && newtonian != nullptr && !solution.interrupted) {
             const TransientSwirl swirl = transient_swirl(shape, newtonian->viscosity,
@@ -184,13 +187,14 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
             solution.refinements = swirl.levels;
             solution.unknowns = swirl.unknowns;
             report.division = swirl.division;
-        } else {
+        } else if (!followed_in_time) {
             add_lag(plan, rows);
             if (plan.transient) {
                 solution.notes.emplace_back(
-                    "Inertia in the whole section is solved for Newtonian fluids alone: here each "
-                    "row is a steady flow, and its error includes three times the inertia that the "
-                    "plan estimates.");
+                    "Without secondary flow, and for a fluid with a yield stress, inertia in the "
+                    "whole section is solved for Newtonian fluids alone: here each row is a steady "
+                    "flow, and its error includes three times the inertia that the plan "
+                    "estimates.");
             }
         }
     }

@@ -19,6 +19,9 @@ struct CreepingSettings {
     bool certified = false;
     int most_levels = 12;
     long most_unknowns = 120'000; ///< of both fields together
+    /// Newton steps times unknowns, over all levels, beyond which no further level is begun: some
+    /// seconds.
+    double most_work = 6e6;
 };
 
 /// Steady swirl without inertia around a DIN bob that turns in its cup, ends included.

@@ -1,6 +1,7 @@
 #include "solvers/meridional/bob_solver.hpp"
 
 #include "rheometry/schedule.hpp"
+#include "solvers/axisymmetric/section_shape.hpp"
 #include "solvers/meridional/inertia_factor_curve.hpp"
 #include "solvers/meridional/transient_secondary_flow.hpp"
 
@@ -22,6 +23,11 @@ constexpr double factor_share = 0.5;
 /// Where time is left out of the secondary flow (a yield-stress fluid in a ramp), this share of
 /// what the steady secondary flow adds is claimed as error.
 constexpr double unsteady_share = 0.5;
+
+/// The bob; that of a single gap with ends has a flat bottom.
+geometry::DinBob bob_of(const Scene& scene) {
+    return *axisymmetric::section_shape(scene.instrument).value().bob();
+}
 
 /// Stability is asked for where secondary flow carries at least this share of the torque.
 constexpr double share_worth_asking = 0.03;
@@ -77,7 +83,7 @@ void note_stability(const Plan& plan, InertiaFactorCurve& curve, radial::RadialR
 /// @param delay_share  of what secondary flow adds, for not following it in time
 void apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& report,
                    bool fills_torque, double delay_share, const ProgressSink& progress) {
-    const auto& bob = std::get<geometry::DinBob>(scene.instrument);
+    const geometry::DinBob bob = bob_of(scene);
     std::vector<rheometry::TorqueRow>& rows = report.solution.history.rows;
     std::vector<double> speeds;
     for (const rheometry::TorqueRow& row : rows) {
@@ -133,8 +139,8 @@ void run_in_time(const Scene& scene, const rheometry::SpeedHistory& history,
     radial::RadialReport& solution = report.solution;
     std::vector<rheometry::TorqueRow>& rows = solution.history.rows;
     const TransientTorque run =
-        transient_secondary_flow(std::get<geometry::DinBob>(scene.instrument), scene.fluid.law,
-                                 scene.fluid.density, history, scene.solver.accuracy, progress);
+        transient_secondary_flow(bob_of(scene), scene.fluid.law, scene.fluid.density, history,
+                                 scene.solver.accuracy, progress);
     rows.resize(std::min(rows.size(), run.torque.size()));
     report.end_factor.resize(rows.size());
     for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -163,6 +169,10 @@ AxisymmetricReport solve_bob(const Scene& scene, const Plan& plan, const Progres
     if (!plan.secondary_flow || report.solution.interrupted) {
         return report;
     }
+    if (!report.solution.fields.empty()) {
+        report.solution.notes.emplace_back(
+            "The fields and their pictures show the swirl without the secondary flow.");
+    }
     const rheometry::Conversion conversion =
         rheometry::conversion_for(scene.instrument, scene.conversion);
     const auto schedule = rheometry::schedule(scene.protocol, conversion);
@@ -178,6 +188,7 @@ AxisymmetricReport solve_bob(const Scene& scene, const Plan& plan, const Progres
         // The swirl's torques are no result of the case that asked for more.
         report.solution.history.rows.clear();
         report.end_factor.clear();
+        report.ends.clear();
         report.solution.interrupted = true;
         report.solution.reached = false;
         return report;

@@ -8,7 +8,7 @@ namespace searle::solvers::meridional {
 /// says so the secondary flow (u_r, u_z, p) with it (docs/secondary-flow.md). Steady rows: the
 /// creeping flow's torque times what secondary flow adds at that speed. Rows in time, where the
 /// plan found inertia: one run of the whole flow.
-/// @param scene  whose instrument is a DinBob
+/// @param scene  whose instrument has ends; around a double gap swirl alone
 [[nodiscard]] axisymmetric::AxisymmetricReport solve_bob(const Scene& scene, const Plan& plan,
                                                          const ProgressSink& progress);
 
