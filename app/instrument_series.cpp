@@ -54,7 +54,8 @@ std::string disturbance_at(const InstrumentSeries& series, double speed, double 
         return "taylor-vortices";
     const auto* bob = std::get_if<geometry::DinBob>(&series.scene.instrument);
     if (bob != nullptr &&
-        solvers::end_flow_share(*bob, gap->radius * gap->radius * momentum) > most_end_flow)
+        solvers::end_flow_share(bob->radius_ratio(), bob->length_ratio,
+                                gap->radius * gap->radius * momentum) > most_end_flow)
         return "end-flow";
     return "";
 }

@@ -60,7 +60,8 @@ bool is_disturbed(const geometry::Instrument& instrument, const rheometry::Conve
     const double viscosity = conversion.shear_stress(torque) / conversion.shear_rate(speed);
     const double momentum = speed * density / viscosity;
     return radius * width * momentum > stability::taylor_threshold(width / radius).reynolds ||
-           (bob != nullptr && end_flow_share(*bob, radius * radius * momentum) > most_end_flow);
+           (bob != nullptr && end_flow_share(bob->radius_ratio(), bob->length_ratio,
+                                             radius * radius * momentum) > most_end_flow);
 }
 
 } // namespace
