@@ -7,6 +7,7 @@
 #include "app/usage_error.hpp"
 #include "geometry/mesh_error.hpp"
 #include "rheometry/tables/table_error.hpp"
+#include "solvers/unsuitable_scene.hpp"
 
 #include <fmt/format.h>
 
@@ -36,6 +37,8 @@ int called(const std::function<int()>& verb) {
     } catch (const rheometry::TableError& error) {
         return tell(ExitCode::wrong_usage, error.what());
     } catch (const UsageError& error) {
+        return tell(ExitCode::wrong_usage, error.what());
+    } catch (const solvers::UnsuitableScene& error) {
         return tell(ExitCode::wrong_usage, error.what());
     } catch (const geometry::MeshError& error) {
         return tell(ExitCode::wrong_usage, error.what());

@@ -1,6 +1,7 @@
 #include "app/solved_case.hpp"
 
 #include "solvers/axisymmetric/axisymmetric_solver.hpp"
+#include "solvers/suspension/suspension_solver.hpp"
 
 #include <fmt/format.h>
 
@@ -69,7 +70,10 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
                       .clock = std::move(planned.clock)};
     const solvers::Scene& scene = solved.source.scene;
     std::vector<double> end_factors;
-    if (solved.plan.model == "axisymmetric") {
+    if (scene.particles) {
+        solved.solution =
+            solvers::suspension::solve_suspension(scene, solved.plan, progress).solution;
+    } else if (solved.plan.model == "axisymmetric") {
         solvers::axisymmetric::AxisymmetricReport report =
             solvers::axisymmetric::solve_axisymmetric(scene, solved.plan, progress);
         solved.solution = std::move(report.solution);
