@@ -129,7 +129,7 @@ std::vector<PlanItem> items_for(const Scene& scene, const Forecast& forecast,
                      choice.why_hydrodynamics});
     if (walls)
         items.push_back(
-            {"fluid in three dimensions", false,
+            {"3d fluid", false,
              fmt::format("Along the walls the scene is uniform: periodic, and sheared by plane walls. "
                          "The fluid is one profile across the gap on {} cells; {} x {} cells of each "
                          "layer are one.",
@@ -139,8 +139,8 @@ std::vector<PlanItem> items_for(const Scene& scene, const Forecast& forecast,
                          "Without walls the mean flow is uniform shear; the fluid has no equation of "
                          "its own."});
     const double stokes = settings.density * sizes.largest * sizes.largest * fast / (18 * viscosity);
-    items.push_back({"particle inertia", settings.hydrodynamics != Hydrodynamics::lubrication,
-                     fmt::format("Stokes number {:.2g} at {:.4g} 1/s. {}", stokes, fast,
+    items.push_back({"Stokes number", settings.hydrodynamics != Hydrodynamics::lubrication,
+                     fmt::format("Inertia of the particles over drag, rho d^2 rate / 18 mu: {:.2g} at {:.4g} 1/s. {}", stokes, fast,
                                  choice.why_integrator)});
     const double thermal = laws::colloid::boltzmann * settings.temperature;
     const double per_rate = 6 * std::numbers::pi * viscosity * std::pow(radius, 3) / thermal;
@@ -158,7 +158,7 @@ std::vector<PlanItem> items_for(const Scene& scene, const Forecast& forecast,
         double attraction = 0.0;
         const laws::colloid::DlvoCurve curve = curve_of(settings, radius, attraction);
         items.push_back(
-            {"colloidal forces", true,
+            {"colloid forces", true,
              fmt::format("Barrier {:.3g} kT, secondary minimum {:.3g} kT, largest repulsion {:.3g} "
                          "times 6 pi mu a^2 rate at {:.4g} 1/s; between particles, not with walls.",
                          curve.barrier / thermal, curve.secondary_minimum / thermal,
@@ -166,7 +166,7 @@ std::vector<PlanItem> items_for(const Scene& scene, const Forecast& forecast,
                              (6 * std::numbers::pi * viscosity * radius * radius * fast),
                          fast)});
     } else {
-        items.push_back({"colloidal forces", false, "particles.dlvo is left out."});
+        items.push_back({"colloid forces", false, "particles.dlvo is left out."});
     }
     if (!forecast.rows.empty()) {
         const std::size_t worst =
