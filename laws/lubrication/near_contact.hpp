@@ -28,9 +28,16 @@ struct Film {
     double twist{};   ///< N s m
 };
 
+/// How much of the squeezing film is taken.
+enum class Squeeze {
+    leading, ///< g_1 / xi: the leading term, as the other modes have theirs
+    both     ///< g_1 / xi + g_2 ln(1/xi)
+};
+
 /// @param gap       h, m, > 0  @param viscosity Pa s
 /// Valid for xi << 1; used up to 1 it stays positive.
-[[nodiscard]] inline Film film(double gap, double r_1, double r_2, double viscosity) {
+[[nodiscard]] inline Film film(double gap, double r_1, double r_2, double viscosity,
+                               Squeeze terms) {
     constexpr double pi = std::numbers::pi;
     constexpr double zeta_3 = 1.2020569031595942;
     const double xi = 2.0 * gap / (r_1 + r_2);
@@ -38,8 +45,10 @@ struct Film {
     const double l = r_2 / r_1;
     const double p = 1.0 + l;
     Film out;
-    out.squeeze = 6.0 * pi * viscosity * r_1 *
-                  (2.0 * l * l / (p * p * p) / xi + l * (1.0 + 7.0 * l + l * l) / (5.0 * p * p * p) * log);
+    out.squeeze = 6.0 * pi * viscosity * r_1 * 2.0 * l * l / (p * p * p) / xi;
+    if (terms == Squeeze::both)
+        out.squeeze += 6.0 * pi * viscosity * r_1 * l * (1.0 + 7.0 * l + l * l) /
+                       (5.0 * p * p * p) * log;
     out.shear = 6.0 * pi * viscosity * r_1 * 4.0 * l * (2.0 + l + 2.0 * l * l) /
                 (15.0 * p * p * p) * log;
     const double turn_1 = 8.0 * pi * viscosity * r_1 * r_1 * r_1 * 2.0 * l / (5.0 * p) * log;

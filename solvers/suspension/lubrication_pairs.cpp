@@ -89,7 +89,8 @@ particles::PairSums gather_near_pairs(const particles::ParticleStore& p,
         if (gap < 0.5 * settings.farthest_gap * radii) {
             const double rough = std::max(gap, 0.0) + 0.5 * settings.roughness * radii;
             const laws::lubrication::Film film =
-                laws::lubrication::film(rough, p.radius[i], p.radius[j], settings.viscosity);
+                laws::lubrication::film(rough, p.radius[i], p.radius[j], settings.viscosity,
+                                        laws::lubrication::Squeeze::leading);
             pair.squeeze = film.squeeze;
             pair.shear = film.shear;
             pair.mixed = film.mixed / settings.length_unit;

@@ -245,6 +245,35 @@ double expected_seconds(const Scene& scene, const Forecast& forecast,
     return strain / rate / step * choice.count / speed;
 }
 
+/// Why lubrication cannot be had for these settings; empty when it can.
+std::string against_lubrication(const ParticleSettings& settings) {
+    if (settings.boundary == ParticleBoundary::walls)
+        return "between walls (boundary = \"lees-edwards\" has it in the bulk)";
+    if (settings.brownian)
+        return "with thermal motion (brownian = false has it)";
+    if (settings.gravity)
+        return "with gravity";
+    return "";
+}
+
+SuspensionChoice with_automatic_level(SuspensionChoice choice, const Scene& scene,
+                                      const std::string& numbers) {
+    ParticleSettings& settings = choice.settings;
+    const double pairs = 5.0 * settings.volume_fraction * settings.volume_fraction;
+    settings.hydrodynamics = Hydrodynamics::stresslet;
+    if (pairs <= scene.solver.accuracy) {
+        choice.why_hydrodynamics = "Stresslets of isolated spheres are enough: " + numbers + ".";
+    } else if (const std::string against = against_lubrication(settings); !against.empty()) {
+        choice.why_hydrodynamics = "Stresslets of isolated spheres; near pairs would be needed, too (" +
+                                   numbers + "), but this version has no lubrication " + against +
+                                   ".";
+    } else {
+        settings.hydrodynamics = Hydrodynamics::lubrication;
+        choice.why_hydrodynamics = "Stresslets and lubrication of near pairs: " + numbers + ".";
+    }
+    return choice;
+}
+
 } // namespace
 
 SuspensionChoice choose(const Scene& scene) {
@@ -261,12 +290,7 @@ SuspensionChoice choose(const Scene& scene) {
                     percent(scene.solver.accuracy));
     switch (settings.hydrodynamics) {
     case Hydrodynamics::automatic:
-        settings.hydrodynamics = pairs > scene.solver.accuracy ? Hydrodynamics::lubrication
-                                                               : Hydrodynamics::stresslet;
-        choice.why_hydrodynamics =
-            pairs > scene.solver.accuracy
-                ? "Stresslets and lubrication of near pairs: " + numbers + "."
-                : "Stresslets of isolated spheres are enough: " + numbers + ".";
+        choice = with_automatic_level(std::move(choice), scene, numbers);
         break;
     case Hydrodynamics::drag:
         choice.why_hydrodynamics =
@@ -311,6 +335,10 @@ void plan_suspension(const Scene& scene, const Forecast& forecast, Plan& plan) {
                       "\"newtonian\".");
     const SuspensionChoice choice = choose(scene);
     check_sizes(scene, choice);
+    if (choice.settings.hydrodynamics == Hydrodynamics::lubrication)
+        if (const std::string against = against_lubrication(choice.settings); !against.empty())
+            return cannot("hydrodynamics = \"lubrication\": this version has no lubrication " +
+                          against + "; \"stresslet\" and \"drag\" can do this scene.");
     const char* level = choice.settings.hydrodynamics == Hydrodynamics::drag        ? "drag"
                         : choice.settings.hydrodynamics == Hydrodynamics::stresslet ? "stresslet"
                                                                                     : "lubrication";

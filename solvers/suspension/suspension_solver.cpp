@@ -3,6 +3,7 @@
 #include "rheometry/schedule.hpp"
 #include "solvers/particles/packing.hpp"
 #include "solvers/suspension/inertial_motion.hpp"
+#include "solvers/suspension/overdamped_motion.hpp"
 #include "solvers/suspension/suspension_plan.hpp"
 #include "solvers/suspension/suspension_rows.hpp"
 #include "solvers/unsuitable_scene.hpp"
@@ -68,6 +69,12 @@ SuspensionInput input_for(const Scene& scene, const SuspensionChoice& choice,
     input.particles = packed(choice.settings, input.box);
     input.threads = threads_for(input.particles.size());
     return input;
+}
+
+std::unique_ptr<SuspensionMotion> make_motion(SuspensionInput input) {
+    if (input.settings.hydrodynamics == Hydrodynamics::lubrication)
+        return std::make_unique<OverdampedMotion>(std::move(input));
+    return std::make_unique<InertialMotion>(std::move(input));
 }
 
 /// Runs a motion and keeps what it gives.
@@ -241,8 +248,9 @@ SuspensionReport solve_suspension(const Scene& scene, const Plan& plan,
     }
     if (progress)
         progress(0.0, "packing the particles");
-    InertialMotion motion(input_for(scene, choice, initial, fastest));
-    Run run(scene, motion, progress);
+    const std::unique_ptr<SuspensionMotion> motion =
+        make_motion(input_for(scene, choice, initial, fastest));
+    Run run(scene, *motion, progress);
     const auto* steps = std::get_if<rheometry::Steps>(&scene.protocol.program);
     try {
         if (steady)
@@ -254,9 +262,9 @@ SuspensionReport solve_suspension(const Scene& scene, const Plan& plan,
         report.solution.reached = false;
         report.solution.notes.push_back(fmt::format("The run stopped: {}.", failure.what()));
     }
-    const StepCounts counts = motion.counts();
+    const StepCounts counts = motion->counts();
     report.solution.refinements = 1;
-    report.solution.elements = static_cast<int>(motion.fluid_velocity().size()) - 1;
+    report.solution.elements = std::max(0, static_cast<int>(motion->fluid_velocity().size()) - 1);
     report.solution.time_steps = counts.steps;
     report.solution.linear_solves = counts.fluid_steps + counts.solver_iterations;
     report.solution.unknowns = plan.expected_unknowns;
