@@ -77,6 +77,12 @@ void check_solver(const CaseAsWritten& written, Findings& findings) {
                                "secondary_flow = \"auto\", or model = \"axisymmetric\"");
 }
 
+void check_output(const CaseAsWritten& written, Findings& findings) {
+    if (findings.given("output.field_rows") && !written.output.fields)
+        findings.contradiction({"output.field_rows", "output.fields"}, "no fields are written",
+                               "fields = true beside field_rows");
+}
+
 void check_suspension(const CaseAsWritten& written, Findings& findings) {
     if (written.coupling && !written.particles)
         findings.contradiction({"coupling"}, "there are no [particles] to couple the fluid with",
@@ -93,6 +99,7 @@ void add_case_checks(casefile::Keys<CaseAsWritten>& keys) {
     keys.check(check_conversion);
     keys.check(check_speeds);
     keys.check(check_solver);
+    keys.check(check_output);
     keys.check(check_suspension);
 }
 

@@ -237,7 +237,8 @@ private:
         auto options = std::make_shared<NewOptions>();
         CLI::App* app = add("new", "Print a commented case file to start from",
                             "single-gap > my-case.toml", options, new_case);
-        app->add_option("GEOMETRY", options->geometry, "single-gap, double-gap, din-bob, box or profile")
+        app->add_option("GEOMETRY", options->geometry,
+                        "single-gap, double-gap, din-bob, box or profile")
             ->required();
     }
     void add_schema() {

@@ -100,7 +100,8 @@ std::string report_page(const RunRecord& record) {
         .solver_facts = facts_of(summary),
         .measured = {},
         .compared_with = {},
-        .csv = record.csv.size() <= largest_embedded_csv ? record.csv : ""};
+        .csv = record.csv.size() <= largest_embedded_csv ? record.csv : "",
+        .fields = record.fields};
     for (const PlanNote& note : summary.plan)
         input.validity.push_back({note.what, note.solved, note.reason});
     for (const StageSeconds& stage : summary.timings)

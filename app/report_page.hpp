@@ -2,6 +2,7 @@
 
 #include "app/case_reader.hpp"
 #include "app/summary_json.hpp"
+#include "rheometry/fields/section_fields.hpp"
 #include "rheometry/rheogram.hpp"
 
 #include <string>
@@ -14,7 +15,8 @@ struct RunRecord {
     RunSummary summary;
     Case source; ///< read from case.toml; places of values are those of the summary
     rheometry::Rheogram rheogram;
-    std::string csv; ///< the bytes of rheogram.csv
+    std::string csv;                                      ///< the bytes of rheogram.csv
+    std::vector<rheometry::fields::SectionFields> fields; ///< of fields/, by row
 };
 
 /// report.html of a run. The same record gives the same bytes.

@@ -1,5 +1,6 @@
 #include "app/run_files.hpp"
 
+#include "app/field_files.hpp"
 #include "app/run_summary.hpp"
 #include "rheometry/rheogram_csv.hpp"
 
@@ -28,14 +29,18 @@ RunRecord record_of(const SolvedCase& solved, const std::string& created) {
     return {.summary = run_summary(solved, created),
             .source = solved.source,
             .rheogram = solved.rheogram,
-            .csv = csv_of(solved)};
+            .csv = csv_of(solved),
+            .fields = solved.solution.fields};
 }
 
 std::vector<ResultFile> files_of(const RunRecord& record, const std::string& prefix) {
-    return {{prefix + "case.toml", record.source.resolved_toml},
-            {prefix + "report.html", report_page(record)},
-            {prefix + "rheogram.csv", record.csv},
-            {prefix + "summary.json", summary_json(record.summary)}};
+    std::vector<ResultFile> files{{prefix + "case.toml", record.source.resolved_toml},
+                                  {prefix + "report.html", report_page(record)},
+                                  {prefix + "rheogram.csv", record.csv},
+                                  {prefix + "summary.json", summary_json(record.summary)}};
+    for (ResultFile& file : field_files(record.fields))
+        files.push_back({prefix + file.name, std::move(file.content)});
+    return files;
 }
 
 std::string text_of_file(const fs::path& file) {
@@ -54,6 +59,7 @@ RunRecord read_record(const fs::path& folder) {
     const fs::path csv_file = folder / "rheogram.csv";
     record.csv = text_of_file(csv_file);
     record.rheogram = rheometry::read_rheogram_csv(csv_file).rheogram;
+    record.fields = read_field_files(folder, record.summary.files);
     return record;
 }
 

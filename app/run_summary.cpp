@@ -1,5 +1,6 @@
 #include "app/run_summary.hpp"
 
+#include "app/field_files.hpp"
 #include "app/versions.hpp"
 
 #include <algorithm>
@@ -86,6 +87,9 @@ RunSummary run_summary(const SolvedCase& solved, const std::string& created) {
         .warnings = warnings_of(solved),
         .timings = solved.clock.stages(),
         .files = {"case.toml", "report.html", "rheogram.csv", "summary.json"}};
+    for (std::string& name : field_file_names(solved.solution.fields))
+        summary.files.push_back(std::move(name));
+    std::sort(summary.files.begin(), summary.files.end());
     if (solved.plan.taylor)
         summary.taylor = TaylorNumbers{.critical_reynolds = solved.plan.taylor->critical_reynolds,
                                        .reynolds = solved.plan.taylor->reynolds,

@@ -104,8 +104,6 @@ std::vector<std::string> warnings_of(const SolvedCase& solved) {
     std::vector<std::string> warnings = solved.plan.warnings;
     const auto& notes = solved.solution.notes;
     warnings.insert(warnings.end(), notes.begin(), notes.end());
-    if (solved.source.scene.output.fields)
-        warnings.push_back("output.fields = true: this version writes no fields yet.");
     if (solved.solution.interrupted)
         warnings.push_back(fmt::format("Interrupted: {} of {} points were finished.",
                                        solved.rheogram.points.size(), solved.plan.rows.size()));

@@ -32,6 +32,8 @@ struct SolverSettings {
 
 struct OutputSettings {
     bool fields = false;
+    /// Rows whose fields are written, evenly spread, >= 1.
+    int field_rows = 5;
 };
 
 /// Everything that a case file says, in SI units, valid as checked by the case reader.

@@ -64,7 +64,14 @@ casefile::Keys<OutputSettings> output_keys() {
     keys.key("fields", &OutputSettings::fields)
         .is_boolean()
         .example("false")
-        .says("Write the velocity fields to fields/ as well.");
+        .says("Write the flow in the section to fields/ (.vtu), and draw it in the report.");
+    keys.key("field_rows", &OutputSettings::field_rows)
+        .is_integer()
+        .at_least("1")
+        .at_most("1000")
+        .example("5")
+        .not_in_new()
+        .says("With fields = true: for how many rows, evenly spread, the last included.");
     return keys;
 }
 

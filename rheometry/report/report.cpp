@@ -2,6 +2,7 @@
 
 #include "rheometry/report/data_table.hpp"
 #include "rheometry/report/deviation.hpp"
+#include "rheometry/report/field_figures.hpp"
 #include "rheometry/report/flow_curve_figures.hpp"
 #include "rheometry/report/flow_series.hpp"
 #include "rheometry/report/geometry_drawing.hpp"
@@ -116,6 +117,14 @@ std::string render_report(const ReportInput& input) {
     body += figure_html(torque_figure(input), ++figure);
     body += figure_html(error_figure(input), ++figure);
     body += "</div>\n";
+
+    if (const std::vector<Figure> pictures = field_figures(input); !pictures.empty()) {
+        body += "<h2>Flow in the section</h2>\n<div class=\"figures\">\n";
+        for (const Figure& each : pictures) {
+            body += figure_html(each, ++figure);
+        }
+        body += "</div>\n";
+    }
 
     if (has_validity(input)) {
         body += "<h2>Validity</h2>\n" + validity_section(input, ++table);

@@ -2,6 +2,7 @@
 
 #include "geometry/instrument.hpp"
 #include "rheometry/conversion/conversion.hpp"
+#include "rheometry/fields/section_fields.hpp"
 #include "rheometry/rheogram.hpp"
 
 #include <cstddef>
@@ -117,8 +118,11 @@ struct ReportInput {
     std::vector<NamedRheogram> compared_with;
 
     /// The bytes of rheogram.csv for the download link; empty or too long: the page names the file.
-    std::string csv;
+    std::string csv{};
     std::string csv_file_name = "rheogram.csv";
+
+    /// The flow in the section at some rows, in order; empty: none was asked for.
+    std::vector<fields::SectionFields> fields{};
 };
 
 /// One run of a sweep.

@@ -44,6 +44,9 @@ std::string_view figure_style() {
 .fig .velocity{fill:none;stroke:#0072b2;stroke-width:1.3}.fig .velocity-head{fill:#0072b2}
 .fig .rotor{fill:#f3c9a8}.fig .rotor-hatch{stroke:#b04e00;stroke-width:.8;stroke-opacity:.7}
 .fig .fixed{fill:#dfe3e7}.fig .fixed-hatch{stroke:#59636d;stroke-width:.8;stroke-opacity:.8}
+.fig .rigid{fill:#c9cfd5}.fig .rotor-wall{fill:none;stroke:#d55e00;stroke-width:2.2;stroke-linecap:round}
+.fig .yield-surface{fill:none;stroke:#fff;stroke-width:1.6;stroke-linejoin:round}
+.fig .streamline{fill:none;stroke:#fff;stroke-width:.9;stroke-linejoin:round}
 .fig .halo{paint-order:stroke;stroke:#fff;stroke-width:4px;stroke-linejoin:round}
 @media screen and (prefers-color-scheme:dark){
 .fig text{fill:#e4e8ec}.fig .soft{fill:#9fabb6}
@@ -66,6 +69,7 @@ std::string_view figure_style() {
 .fig .velocity{stroke:#7cc6f2}.fig .velocity-head{fill:#7cc6f2}
 .fig .rotor{fill:#55331c}.fig .rotor-hatch{stroke:#f2a36f}
 .fig .fixed{fill:#2c343c}.fig .fixed-hatch{stroke:#9fabb6}
+.fig .rigid{fill:#4a545e}.fig .rotor-wall{stroke:#f2894a}
 .fig .halo{stroke:#14181c}
 }
 )css";

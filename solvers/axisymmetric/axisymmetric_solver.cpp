@@ -2,6 +2,8 @@
 
 #include "rheometry/schedule.hpp"
 #include "solvers/axisymmetric/end_factor_curve.hpp"
+#include "solvers/axisymmetric/swirl_fields.hpp"
+#include "solvers/axisymmetric/swirl_level.hpp"
 #include "solvers/axisymmetric/swirl_response.hpp"
 
 #include <algorithm>
@@ -50,6 +52,38 @@ void add_end_flow(const Plan& plan, std::vector<rheometry::TorqueRow>& rows) {
         rows[k].torque_error +=
             left_out_margin * plan.rows[k].end_flow_share * std::abs(rows[k].torque);
     }
+}
+
+/// The creeping flow at some rows: fields converge more slowly than the torque.
+std::vector<rheometry::fields::SectionFields>
+steady_fields(const geometry::DinBob& bob, const Scene& scene,
+              const std::vector<rheometry::TorqueRow>& rows, std::span<const std::size_t> chosen,
+              const ProgressSink& progress) {
+    constexpr double sharper = 0.2;
+    std::vector<rheometry::fields::SectionFields> sections;
+    for (const std::size_t number : chosen) {
+        const rheometry::TorqueRow& row = rows[number - 1];
+        if (row.speed == 0.0) {
+            continue;
+        }
+        const CreepingSwirl swirl =
+            creeping_swirl(bob, scene.fluid.law, std::abs(row.speed),
+                           {.accuracy = sharper * scene.solver.accuracy}, progress);
+        auto section =
+            swirl_fields({.mesh = swirl.level->mesh(),
+                          .length = bob.bob_radius,
+                          .degree = swirl.level->rotation_space().degree(),
+                          .rotation = swirl.level->rotation(),
+                          .speed = row.speed,
+                          .rate_scale = laws::flow::rate(scene.fluid.law, swirl.stress_scale),
+                          .stress_function = &swirl.level->stress_function(),
+                          .stress_scale = swirl.stress_scale},
+                         scene.fluid.law);
+        section.row = number;
+        section.time = row.time;
+        sections.push_back(std::move(section));
+    }
+    return sections;
 }
 
 std::string range_text(const std::vector<double>& factors) {
@@ -117,6 +151,12 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
                 rows[k].torque_error = swirl.error[k];
             }
             solution.transient = true;
+            const auto chosen = radial::rows_with_fields(scene.output, rows.size());
+            if (!chosen.empty()) {
+                solution.fields = transient_fields(bob, newtonian->viscosity, scene.fluid.density,
+                                                   *history, swirl.resolution, chosen);
+            }
+            solution.elements = swirl.elements;
             solution.refinements = swirl.levels;
             solution.unknowns = swirl.unknowns;
         } else {
@@ -127,6 +167,14 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
                     "row is a steady flow, and its error includes three times the inertia that the "
                     "plan estimates.");
             }
+        }
+    }
+    if (!solution.transient) {
+        try {
+            solution.fields = steady_fields(
+                bob, scene, rows, radial::rows_with_fields(scene.output, rows.size()), progress);
+        } catch (const Interrupted&) {
+            solution.interrupted = true;
         }
     }
     const bool counts_secondary_flow = scene.solver.secondary_flow == Switch::on ||

@@ -70,9 +70,15 @@ double endless_torque(const geometry::DinBob& bob, const laws::flow::AnyFlowLaw&
 
 } // namespace
 
-CreepingTorque creeping_torque(const geometry::DinBob& bob, const laws::flow::AnyFlowLaw& flow_law,
+CreepingTorque creeping_torque(const geometry::DinBob& bob, const laws::flow::AnyFlowLaw& law,
                                double speed, const CreepingSettings& settings,
                                const ProgressSink& progress) {
+    return creeping_swirl(bob, law, speed, settings, progress).torque;
+}
+
+CreepingSwirl creeping_swirl(const geometry::DinBob& bob, const laws::flow::AnyFlowLaw& flow_law,
+                             double speed, const CreepingSettings& settings,
+                             const ProgressSink& progress) {
     const double wall_rate =
         radial::steady_gap_flow({bob.bob_radius, bob.cup_radius}, flow_law, speed).inner_wall_rate;
     const SwirlLaw law(flow_law, speed, wall_rate / speed);
@@ -140,7 +146,7 @@ CreepingTorque creeping_torque(const geometry::DinBob& bob, const laws::flow::An
         level = std::move(next);
         target = std::max(strategy.rounding_step * target, strategy.least_rounding);
     }
-    return result;
+    return {.torque = result, .level = std::move(level), .stress_scale = law.stress_scale()};
 }
 
 } // namespace searle::solvers::axisymmetric

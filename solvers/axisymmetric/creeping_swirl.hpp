@@ -4,7 +4,11 @@
 #include "laws/flow/flow_law.hpp"
 #include "solvers/progress.hpp"
 
+#include <memory>
+
 namespace searle::solvers::axisymmetric {
+
+class SwirlLevel;
 
 struct CreepingSettings {
     /// Asked-for relative error of the torque, > 0.
@@ -42,5 +46,16 @@ struct CreepingTorque {
                                              const laws::flow::AnyFlowLaw& law, double speed,
                                              const CreepingSettings& settings,
                                              const ProgressSink& progress = {});
+
+/// The torque with the fields of the finest level, for pictures.
+struct CreepingSwirl {
+    CreepingTorque torque;
+    std::shared_ptr<const SwirlLevel> level;
+    double stress_scale{}; ///< Pa, of the level's stress function
+};
+[[nodiscard]] CreepingSwirl creeping_swirl(const geometry::DinBob& bob,
+                                           const laws::flow::AnyFlowLaw& law, double speed,
+                                           const CreepingSettings& settings,
+                                           const ProgressSink& progress = {});
 
 } // namespace searle::solvers::axisymmetric

@@ -1,7 +1,5 @@
 #include "solvers/axisymmetric/section_space.hpp"
 
-#include "solvers/axisymmetric/nodal_basis.hpp"
-
 #include <cmath>
 
 namespace searle::solvers::axisymmetric {
@@ -47,11 +45,14 @@ std::vector<LocalNode> local_nodes(int degree) {
 }
 
 SectionSpace::SectionSpace(const SectionMesh& mesh, Field field, int degree, int points)
+    : SectionSpace(mesh, field, degree, gauss_legendre(points)) {}
+
+SectionSpace::SectionSpace(const SectionMesh& mesh, Field field, int degree, const LineRule& rule)
     : degree_(degree) {
+    const auto points = static_cast<int>(rule.node.size());
     number_nodes(mesh, field);
     const std::vector<LocalNode> order = local_nodes(degree);
     const auto locals = static_cast<Eigen::Index>(order.size());
-    const LineRule rule = gauss_legendre(points);
     const Eigen::VectorXd nodes = lobatto_nodes(degree);
     const LineBasis plain = lagrange_basis(nodes, rule.node);
     const LineBasis at_axis = axis_basis(nodes, rule.node, axis_power);

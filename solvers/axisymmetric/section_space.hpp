@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solvers/axisymmetric/nodal_basis.hpp"
 #include "solvers/axisymmetric/section_mesh.hpp"
 
 #include <Eigen/Core>
@@ -37,6 +38,8 @@ public:
     /// @param degree  of the polynomials in each direction, >= 1
     /// @param points  of the Gauss rule in each direction
     SectionSpace(const SectionMesh& mesh, Field field, int degree, int points);
+    /// With the points of any rule in place of Gauss's, to look at a field there.
+    SectionSpace(const SectionMesh& mesh, Field field, int degree, const LineRule& rule);
 
     struct Element {
         std::vector<int> node; ///< global node of each local node, those of the edges first

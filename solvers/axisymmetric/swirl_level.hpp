@@ -41,6 +41,7 @@ public:
     [[nodiscard]] const SectionMesh& mesh() const { return mesh_; }
     [[nodiscard]] const SectionSpace& rotation_space() const { return rotation_space_; }
     [[nodiscard]] const Eigen::VectorXd& rotation() const { return rotation_; }
+    [[nodiscard]] const Eigen::VectorXd& stress_function() const { return stress_function_; }
     [[nodiscard]] int points() const { return points_; }
     [[nodiscard]] int steps() const { return steps_; }
     [[nodiscard]] long unknowns() const;

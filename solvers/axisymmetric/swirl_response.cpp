@@ -1,6 +1,7 @@
 #include "solvers/axisymmetric/swirl_response.hpp"
 
 #include "solvers/axisymmetric/section_space.hpp"
+#include "solvers/axisymmetric/swirl_fields.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
@@ -26,12 +27,14 @@ struct Swirl {
     double wall_mass{};
 };
 
+/// Number of a node's unknown, or -1 where the value is prescribed.
+int unknown_of(const SectionSpace& space, int node) {
+    return node < space.shared_nodes() ? space.shared_unknown()[static_cast<std::size_t>(node)]
+                                       : space.shared_unknowns() + node - space.shared_nodes();
+}
+
 Swirl assemble(const SectionSpace& space) {
-    const std::vector<int>& shared = space.shared_unknown();
-    const auto unknown = [&](int node) {
-        return node < space.shared_nodes() ? shared[static_cast<std::size_t>(node)]
-                                           : space.shared_unknowns() + node - space.shared_nodes();
-    };
+    const auto unknown = [&](int node) { return unknown_of(space, node); };
     const auto size = static_cast<Index>(space.unknowns());
     Swirl swirl{Sparse(size, size), Sparse(size, size), Eigen::VectorXd::Zero(size),
                 Eigen::VectorXd::Zero(size)};
@@ -89,7 +92,7 @@ std::vector<double> scale_of(const std::vector<double>& torque) {
 } // namespace
 
 SwirlResponse swirl_response(const geometry::DinBob& bob, double viscosity, double density,
-                             const ResponseResolution& resolution) {
+                             const ResponseResolution& resolution, SwirlShapes* shapes) {
     const SectionLines lines = graded_lines(bob, {.smallest = resolution.smallest, .ratio = 0.15});
     const SectionMesh mesh = section_of(bob, lines);
     const SectionSpace space(mesh, Field::rotation, resolution.degree, resolution.degree + 2);
@@ -141,6 +144,7 @@ SwirlResponse swirl_response(const geometry::DinBob& bob, double viscosity, doub
     SwirlResponse response{.steady = torque_scale * steady_stiffness,
                            .at_once = inertia,
                            .modes = {},
+                           .elements = static_cast<int>(mesh.elements.size()),
                            .unknowns = space.unknowns()};
     for (Index k = 0; k < count; ++k) {
         const double time = eigen.eigenvalues()[k];
@@ -155,13 +159,44 @@ SwirlResponse swirl_response(const geometry::DinBob& bob, double viscosity, doub
                                   .strength = torque_scale * mode_inertia / time});
     }
     response.at_once *= torque_scale * diffusion_time;
+    if (shapes != nullptr) {
+        // v = sum of b_k (basis u_k) with b_k + time b_k' = -start u_k0 domega/dt.
+        Eigen::MatrixXd vectors(space.unknowns(), count);
+        for (int k = 0; k < count; ++k) {
+            vectors.col(k) = basis[static_cast<std::size_t>(k)];
+        }
+        const Eigen::MatrixXd along_modes = vectors * eigen.eigenvectors();
+        shapes->degree = resolution.degree;
+        shapes->steady = space.prescribed();
+        shapes->mode = Eigen::MatrixXd::Zero(space.nodes(), count);
+        Index used = 0;
+        for (Index k = 0; k < count; ++k) {
+            const double time = eigen.eigenvalues()[k];
+            if (!(time > 0.0)) {
+                continue;
+            }
+            const double amount = -std::sqrt(start_square) * eigen.eigenvectors()(0, k) / time;
+            for (int node = 0; node < space.nodes(); ++node) {
+                const int row = unknown_of(space, node);
+                if (row >= 0) {
+                    shapes->steady[node] = steady[row];
+                    shapes->mode(node, used) = amount * along_modes(row, k);
+                }
+            }
+            ++used;
+        }
+        shapes->mode.conservativeResize(space.nodes(), used);
+        shapes->mesh = mesh;
+    }
     return response;
 }
 
-std::vector<double> torque_along(const SwirlResponse& response,
-                                 const rheometry::SpeedHistory& history) {
-    std::vector<double> torque;
-    torque.reserve(history.row_times.size());
+namespace {
+
+/// Calls `use(row, state of the modes, acceleration)` at each row of a history.
+template <class Use>
+void along_rows(const SwirlResponse& response, const rheometry::SpeedHistory& history,
+                const Use& use) {
     std::vector<double> state(response.modes.size(), 0.0);
     double speed = history.initial_speed;
     std::size_t row = 0;
@@ -184,16 +219,29 @@ std::vector<double> torque_along(const SwirlResponse& response,
         };
         while (row < history.row_times.size() && history.row_times[row] <= piece.end_time) {
             advance(history.row_times[row]);
-            double sum = response.steady * history.speed_at(now) + response.at_once * acceleration;
-            for (std::size_t k = 0; k < state.size(); ++k) {
-                sum += response.modes[k].strength * state[k];
-            }
-            torque.push_back(sum);
+            use(row, state, acceleration);
             ++row;
         }
         advance(piece.end_time);
         speed = piece.end_speed;
     }
+}
+
+} // namespace
+
+std::vector<double> torque_along(const SwirlResponse& response,
+                                 const rheometry::SpeedHistory& history) {
+    std::vector<double> torque;
+    torque.reserve(history.row_times.size());
+    along_rows(response, history,
+               [&](std::size_t row, const std::vector<double>& state, double acceleration) {
+                   double sum = response.steady * history.speed_at(history.row_times[row]) +
+                                response.at_once * acceleration;
+                   for (std::size_t k = 0; k < state.size(); ++k) {
+                       sum += response.modes[k].strength * state[k];
+                   }
+                   torque.push_back(sum);
+               });
     return torque;
 }
 
@@ -213,6 +261,8 @@ TransientSwirl transient_swirl(const geometry::DinBob& bob, double viscosity, do
         result.torque = torque_along(response, history);
         result.levels = level + 1;
         result.modes = static_cast<int>(response.modes.size());
+        result.elements = response.elements;
+        result.resolution = resolution;
         result.unknowns = response.unknowns;
         result.steady = response.steady;
         if (level > 0) {
@@ -238,6 +288,36 @@ TransientSwirl transient_swirl(const geometry::DinBob& bob, double viscosity, do
         resolution.modes = 3 * resolution.modes / 2;
     }
     return result;
+}
+
+std::vector<rheometry::fields::SectionFields>
+transient_fields(const geometry::DinBob& bob, double viscosity, double density,
+                 const rheometry::SpeedHistory& history, const ResponseResolution& resolution,
+                 std::span<const std::size_t> rows) {
+    SwirlShapes shapes;
+    const SwirlResponse response = swirl_response(bob, viscosity, density, resolution, &shapes);
+    const laws::flow::AnyFlowLaw law = laws::flow::Newtonian{viscosity};
+    std::vector<rheometry::fields::SectionFields> sections;
+    along_rows(response, history, [&](std::size_t row, const std::vector<double>& state, double) {
+        if (!std::binary_search(rows.begin(), rows.end(), row + 1)) {
+            return;
+        }
+        const double time = history.row_times[row];
+        const double speed = history.speed_at(time);
+        const Eigen::VectorXd rotation =
+            speed * shapes.steady +
+            shapes.mode *
+                Eigen::Map<const Eigen::VectorXd>(state.data(), static_cast<Index>(state.size()));
+        // In rad/s, so that a row at rest, where the fluid still turns, needs no other way.
+        auto section = swirl_fields(
+            {shapes.mesh, bob.bob_radius, resolution.degree, rotation, 1.0, 0.0, nullptr, 0.0},
+            law);
+        section.speed = speed;
+        section.time = time;
+        section.row = row + 1;
+        sections.push_back(std::move(section));
+    });
+    return sections;
 }
 
 } // namespace searle::solvers::axisymmetric

@@ -1,8 +1,13 @@
 #pragma once
 
 #include "geometry/din_bob.hpp"
+#include "rheometry/fields/section_fields.hpp"
 #include "rheometry/speed_history.hpp"
+#include "solvers/axisymmetric/section_mesh.hpp"
 
+#include <Eigen/Core>
+
+#include <span>
 #include <vector>
 
 namespace searle::solvers::axisymmetric {
@@ -19,6 +24,7 @@ struct SwirlResponse {
         double strength{}; ///< N m s, torque of a jump of the speed by 1 rad/s
     };
     std::vector<Mode> modes;
+    int elements{};
     long unknowns{};
 };
 
@@ -29,10 +35,21 @@ struct ResponseResolution {
     int modes{};       ///< of the reduced system
 };
 
+/// The angular velocity that belongs to a response: speed steady + sum of y_k mode_k, at the nodes
+/// of the elements.
+struct SwirlShapes {
+    SectionMesh mesh;
+    int degree{};
+    Eigen::VectorXd steady; ///< over the speed
+    Eigen::MatrixXd mode;   ///< (node, mode), over y
+};
+
 /// @param viscosity  Pa s, > 0
 /// @param density    kg/m^3, > 0
+/// @param shapes     filled where not null
 [[nodiscard]] SwirlResponse swirl_response(const geometry::DinBob& bob, double viscosity,
-                                           double density, const ResponseResolution& resolution);
+                                           double density, const ResponseResolution& resolution,
+                                           SwirlShapes* shapes = nullptr);
 
 /// Torque at the rows of a history, N m, exact in time for the given response.
 [[nodiscard]] std::vector<double> torque_along(const SwirlResponse& response,
@@ -48,11 +65,20 @@ struct TransientSwirl {
     bool reached{};
     int levels{};
     int modes{};
+    int elements{};
     long unknowns{};
-    double steady{}; ///< torque over speed without inertia, N m s
+    double steady{};                 ///< torque over speed without inertia, N m s
+    ResponseResolution resolution{}; ///< of the last level
 };
 [[nodiscard]] TransientSwirl transient_swirl(const geometry::DinBob& bob, double viscosity,
                                              double density, const rheometry::SpeedHistory& history,
                                              double accuracy);
+
+/// The flow in the section at some rows of a history.
+/// @param rows  numbers from 1, increasing
+[[nodiscard]] std::vector<rheometry::fields::SectionFields>
+transient_fields(const geometry::DinBob& bob, double viscosity, double density,
+                 const rheometry::SpeedHistory& history, const ResponseResolution& resolution,
+                 std::span<const std::size_t> rows);
 
 } // namespace searle::solvers::axisymmetric

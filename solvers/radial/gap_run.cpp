@@ -73,7 +73,7 @@ public:
                 next_row_ = history_.row_times[row];
                 alive = advance_to(piece, next_row_);
                 if (alive) {
-                    at_row(row++, {wall_flux(), system_.rounding()});
+                    at_row(row++, {wall_flux(), system_.rounding(), &flux_});
                 }
             }
             if (alive && row < history_.row_times.size()) {

@@ -17,10 +17,13 @@ struct GapResolution {
     double step_tolerance{}; ///< local error of the flux in a step, relative to the largest flux
 };
 
+struct FluxField;
+
 /// What one row of a run hands out.
 struct GapRow {
-    double flux{};     ///< at the moving wall, see run_gap
-    double rounding{}; ///< relative error of `flux` by rounding, estimated
+    double flux{};                      ///< at the moving wall, see run_gap
+    double rounding{};                  ///< relative error of `flux` by rounding, estimated
+    const FluxField* profile = nullptr; ///< over the grid of the resolution; of the row alone
 };
 using RowSink = std::function<void(std::size_t row, const GapRow&)>;
 

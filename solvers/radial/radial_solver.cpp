@@ -2,6 +2,7 @@
 
 #include "rheometry/schedule.hpp"
 #include "solvers/plan.hpp"
+#include "solvers/radial/gap_fields.hpp"
 #include "solvers/radial/rotor_gaps.hpp"
 #include "solvers/radial/transient_levels.hpp"
 
@@ -124,9 +125,7 @@ RadialReport with_inertia(const Scene& scene, double factor, const rheometry::Sp
     return report;
 }
 
-} // namespace
-
-RadialReport solve_radial(const Scene& scene, const Plan& plan, const ProgressSink& progress) {
+RadialReport rows_of(const Scene& scene, const Plan& plan, const ProgressSink& progress) {
     const rheometry::Conversion conversion =
         rheometry::conversion_for(scene.instrument, scene.conversion);
     const double factor = end_factor(scene.instrument, conversion);
@@ -143,6 +142,21 @@ RadialReport solve_radial(const Scene& scene, const Plan& plan, const ProgressSi
             [&](std::size_t k) { return history.speed_at(history.row_times[k]); }, progress);
     }
     return with_inertia(scene, factor, history, progress);
+}
+
+} // namespace
+
+std::vector<std::size_t> rows_with_fields(const OutputSettings& output, std::size_t finished) {
+    return output.fields ? rheometry::fields::spread_rows(
+                               finished, static_cast<std::size_t>(output.field_rows))
+                         : std::vector<std::size_t>{};
+}
+
+RadialReport solve_radial(const Scene& scene, const Plan& plan, const ProgressSink& progress) {
+    RadialReport report = rows_of(scene, plan, progress);
+    const auto rows = rows_with_fields(scene.output, report.history.rows.size());
+    report.fields = gap_fields(scene, report, rows);
+    return report;
 }
 
 } // namespace searle::solvers::radial

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rheometry/fields/section_fields.hpp"
 #include "rheometry/speed_history.hpp"
 #include "rheometry/torque_history.hpp"
 #include "solvers/plan.hpp"
@@ -26,7 +27,14 @@ struct RadialReport {
     long unknowns{};
     bool interrupted{};
     std::vector<std::string> notes;
+    /// The flow at some rows, in order; where the case asks for it (output.fields).
+    std::vector<rheometry::fields::SectionFields> fields;
 };
+
+/// The rows whose fields a case asks for, numbers from 1: none unless output.fields.
+/// @param finished  rows there are
+[[nodiscard]] std::vector<std::size_t> rows_with_fields(const OutputSettings& output,
+                                                        std::size_t finished);
 
 /// Torque history of the instrument without its ends: steady flow row by row for a steady series
 /// and where the plan found inertia negligible, else the transient flow in the gap. For the DIN bob

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "rheometry/speed_history.hpp"
+#include "solvers/meridional/flow_level.hpp"
+#include "solvers/meridional/flow_material.hpp"
+#include "solvers/meridional/flow_stepper.hpp"
+#include "solvers/progress.hpp"
+
+#include <vector>
+
+namespace searle::solvers::meridional {
+
+/// One level's run through a speed history.
+struct HistoryRun {
+    /// At each row up to the end or to where the run got stuck: torque over
+    /// 2 pi stress scale radius^3.
+    std::vector<double> torque;
+    double end_time{}; ///< s; the history's duration unless it got stuck
+    long steps{};
+    long solves{};
+};
+
+/// @param level      its state is the flow before t = 0, in units of the reference speed; on return
+///                   the one at end_time
+/// @param fluid      at the reference speed
+/// @param reference_speed  rad/s, > 0
+/// @param tolerance  of the velocity's error in one step, over the largest velocity
+/// May throw Interrupted.
+[[nodiscard]] HistoryRun run_history(FlowLevel& level, const ScaledFluid& fluid,
+                                     double reference_speed, const rheometry::SpeedHistory& history,
+                                     double tolerance, const ProgressSink& progress);
+
+} // namespace searle::solvers::meridional

@@ -1,0 +1,198 @@
+#include "solvers/meridional/steady_secondary_flow.hpp"
+
+#include "solvers/radial/annular_gap.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <variant>
+
+namespace searle::solvers::meridional {
+namespace {
+
+constexpr std::array<FlowResolution, 7> resolutions{
+    {{.degree = 3, .smallest = 5e-2, .largest = 0.5, .beside = 8.0},
+     {.degree = 4, .smallest = 5e-2, .largest = 0.5, .beside = 8.0},
+     {.degree = 5, .smallest = 5e-2, .largest = 0.5, .beside = 4.0},
+     {.degree = 7, .smallest = 5e-2, .largest = 0.5, .beside = 4.0},
+     {.degree = 7, .smallest = 1e-2, .largest = 0.25, .beside = 2.0},
+     {.degree = 9, .smallest = 1e-2, .largest = 0.25, .beside = 2.0},
+     {.degree = 10, .smallest = 1e-3, .largest = 0.125, .beside = 1.0}}};
+/// Below this Reynolds number Newton's method finds the flow from the creeping one.
+constexpr double easy_reynolds = 60.0;
+/// Speeds along the way rise by at most this factor ...
+constexpr double longest_stride = 2.5;
+/// ... and when Newton's method fails by less and less, down to this.
+constexpr double shortest_stride = 1.02;
+constexpr double path_tolerance = 1e-2; ///< of the velocities on the way
+/// Rounding of the yield surface on the first level, halved on each further one.
+constexpr double first_yield_rounding = 2e-2;
+constexpr double smooth_rounding = 1e-5;    ///< of laws without a yield stress, at rest
+constexpr double creeping_tolerance = 1e-4; ///< of the energy, over the accuracy
+constexpr double newton_share = 0.1;        ///< of the accuracy that Newton's method may leave
+
+} // namespace
+
+SteadySecondaryFlow::SteadySecondaryFlow(const geometry::DinBob& bob,
+                                         const laws::flow::AnyFlowLaw& law, double density,
+                                         double accuracy)
+    : bob_(bob), law_(law), density_(density), accuracy_(accuracy) {}
+
+double SteadySecondaryFlow::rounding_of(std::size_t level) const {
+    return laws::flow::yield_stress(law_) > 0.0
+               ? first_yield_rounding * std::pow(0.5, static_cast<double>(level))
+               : smooth_rounding;
+}
+
+ScaledFluid SteadySecondaryFlow::fluid_at(double speed, double rounding) const {
+    const double wall_rate =
+        radial::steady_gap_flow({bob_.bob_radius, bob_.cup_radius}, law_, speed).inner_wall_rate;
+    return {law_, density_, bob_.bob_radius, speed, wall_rate, rounding};
+}
+
+SteadySecondaryFlow::Level& SteadySecondaryFlow::level(std::size_t index) {
+    while (levels_.size() <= index) {
+        levels_.push_back({std::make_unique<FlowLevel>(bob_, resolutions[levels_.size()]), {}});
+    }
+    return levels_[index];
+}
+
+void SteadySecondaryFlow::creep(std::size_t index, double speed) {
+    Level& here = level(index);
+    const double tolerance = creeping_tolerance * accuracy_;
+    double rounding = rounding_of(index);
+    if (here.creeping) {
+        here.flow->set_state(*here.creeping);
+    } else {
+        here.flow->start_from_rest();
+        if (!std::holds_alternative<laws::flow::Newtonian>(law_)) {
+            rounding = 1.0;
+        }
+    }
+    for (;; rounding = std::max(0.1 * rounding, rounding_of(index))) {
+        const ScaledFluid fluid = fluid_at(speed, rounding);
+        static_cast<void>(here.flow->solve_creeping(fluid.material(0.0).law, tolerance));
+        if (rounding <= rounding_of(index)) {
+            break;
+        }
+    }
+    here.creeping = here.flow->state();
+}
+
+double SteadySecondaryFlow::creeping_torque(std::size_t index, double speed) {
+    FlowLevel& flow = *level(index).flow;
+    const FlowState state = flow.state();
+    creep(index, speed);
+    const double torque = flow.steady_torque(fluid_at(speed, index).material(0.0));
+    flow.set_state(state);
+    return torque;
+}
+
+bool SteadySecondaryFlow::follow(std::size_t index, double from, double to) {
+    FlowLevel& flow = *level(index).flow;
+    double at = from;
+    double stride = longest_stride;
+    while (at != to) {
+        const double next = std::abs(std::log(to / at)) <= std::log(stride) ? to
+                            : to > at                                       ? at * stride
+                                                                            : at / stride;
+        const double tolerance = next == to ? newton_share * accuracy_ : path_tolerance;
+        const ScaledFluid fluid = fluid_at(next, index);
+        if (flow.solve_steady(fluid.material(), tolerance)) {
+            at = next;
+            continue;
+        }
+        stride = std::sqrt(std::min(stride, std::max(next / at, at / next)));
+        if (stride < shortest_stride) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool SteadySecondaryFlow::reach(std::size_t index, double speed) {
+    FlowLevel& flow = *level(index).flow;
+    if (speed_of_first_ && index == first_level_ && *speed_of_first_ <= speed &&
+        follow(index, *speed_of_first_, speed)) {
+        return true;
+    }
+    // From the creeping flow at a speed where that is near.
+    double slow = speed;
+    while (fluid_at(slow, index).reynolds() > easy_reynolds) {
+        slow *= 0.5;
+    }
+    const ScaledFluid fluid = fluid_at(slow, index);
+    creep(index, slow);
+    return flow.solve_steady(fluid.material(), newton_share * accuracy_) &&
+           follow(index, slow, speed);
+}
+
+InertiaFactor SteadySecondaryFlow::at(double speed, const ProgressSink& progress) {
+    InertiaFactor result;
+    double before = 0.0;
+    double change_before = 0.0;
+    int found = 0;
+    for (std::size_t index = first_level_; index < resolutions.size(); ++index) {
+        if (progress) {
+            progress(static_cast<double>(index) / resolutions.size(),
+                     "secondary flow, level " + std::to_string(index + 1));
+        }
+        const ScaledFluid fluid = fluid_at(speed, index);
+        FlowLevel& flow = *level(index).flow;
+        bool solved = false;
+        if (found > 0) {
+            flow.start_from(*levels_[index - 1].flow);
+            solved = flow.solve_steady(fluid.material(), newton_share * accuracy_);
+        } else {
+            solved = reach(index, speed);
+            speed_of_first_.reset();
+            if (solved) {
+                first_level_ = index;
+                speed_of_first_ = speed;
+            }
+        }
+        if (!solved) {
+            // The level is too coarse to hold the flow; the next one may.
+            found = 0;
+            continue;
+        }
+        last_level_ = index;
+        const double factor = flow.steady_torque(fluid.material()) / creeping_torque(index, speed);
+        ++found;
+        result.factor = factor;
+        result.levels = found;
+        result.unknowns = flow.space().unknowns();
+        if (found == 1) {
+            result.relative_error = std::abs(factor - 1.0);
+        } else {
+            const double change = std::abs(factor - before) / factor;
+            // Later changes shrink at least as the last two did; half of that is believed.
+            const double share = found > 2 && change_before > 0.0
+                                     ? std::clamp(2.0 * change / change_before, 0.1, 1.0)
+                                     : 1.0;
+            result.relative_error = share * change;
+            change_before = change;
+        }
+        before = factor;
+        result.reached = result.relative_error <= accuracy_;
+        if (result.reached) {
+            break;
+        }
+    }
+    return result;
+}
+
+FlowLevel* SteadySecondaryFlow::finest() {
+    return levels_.empty() ? nullptr : levels_[last_level_].flow.get();
+}
+
+long SteadySecondaryFlow::factorisations() const {
+    long sum = 0;
+    for (const Level& each : levels_) {
+        sum += each.flow->system().factorisations();
+    }
+    return sum;
+}
+
+} // namespace searle::solvers::meridional

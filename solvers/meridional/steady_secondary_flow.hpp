@@ -1,0 +1,75 @@
+#pragma once
+
+#include "geometry/din_bob.hpp"
+#include "laws/flow/flow_law.hpp"
+#include "solvers/meridional/flow_level.hpp"
+#include "solvers/meridional/flow_material.hpp"
+#include "solvers/progress.hpp"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace searle::solvers::meridional {
+
+/// What secondary flow does to the torque of a bob that turns steadily.
+struct InertiaFactor {
+    /// Torque with (u_r, u_z) over the torque of the creeping flow of the same fluid at the same
+    /// speed, >= 1 in practice; 1 without inertia.
+    double factor = 1.0;
+    double relative_error{}; ///< estimate, from levels of resolution
+    bool reached{};          ///< as accurate as was asked
+    int levels{};
+    long unknowns{}; ///< of the finest level
+};
+
+/// Solves for the steady flow around a DIN bob at one speed after another, each from the one before
+/// (docs/secondary-flow.md). Newton's method on the flow with inertia; on each level also the
+/// creeping flow, so that what both miss at the bob's edges cancels in the ratio. The steady flow
+/// is found whether or not it is stable.
+class SteadySecondaryFlow {
+public:
+    /// @param density   kg/m^3, > 0
+    /// @param accuracy  asked-for relative error of the torque, > 0
+    SteadySecondaryFlow(const geometry::DinBob& bob, const laws::flow::AnyFlowLaw& law,
+                        double density, double accuracy);
+
+    /// Best called with rising speeds. @param speed  rad/s, > 0. May throw Interrupted.
+    [[nodiscard]] InertiaFactor at(double speed, const ProgressSink& progress = {});
+
+    /// The flow of the last call on its finest level, or null before the first.
+    [[nodiscard]] FlowLevel* finest();
+    [[nodiscard]] long factorisations() const;
+
+private:
+    struct Level {
+        std::unique_ptr<FlowLevel> flow;
+        std::optional<FlowState> creeping; ///< the last one solved for
+    };
+    [[nodiscard]] ScaledFluid fluid_at(double speed, double rounding) const;
+    [[nodiscard]] ScaledFluid fluid_at(double speed, std::size_t level) const {
+        return fluid_at(speed, rounding_of(level));
+    }
+    [[nodiscard]] double rounding_of(std::size_t level) const;
+    [[nodiscard]] Level& level(std::size_t index);
+    /// The state of a level goes from one speed to another in as few steps as Newton's method
+    /// allows; false where it gets stuck.
+    bool follow(std::size_t level, double from, double to);
+    /// The level's state becomes that at `speed`, from its last one or from creeping flow.
+    bool reach(std::size_t level, double speed);
+    /// The level's state becomes the creeping flow at `speed`.
+    void creep(std::size_t level, double speed);
+    /// Torque of the creeping flow; the level's state stays what it is.
+    [[nodiscard]] double creeping_torque(std::size_t level, double speed);
+
+    geometry::DinBob bob_;
+    laws::flow::AnyFlowLaw law_;
+    double density_;
+    double accuracy_;
+    std::vector<Level> levels_;
+    std::size_t first_level_{};            ///< the coarsest one that holds the flow
+    std::optional<double> speed_of_first_; ///< of the state on it
+    std::size_t last_level_{};
+};
+
+} // namespace searle::solvers::meridional

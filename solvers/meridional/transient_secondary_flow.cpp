@@ -1,0 +1,164 @@
+#include "solvers/meridional/transient_secondary_flow.hpp"
+
+#include "solvers/meridional/history_run.hpp"
+#include "solvers/meridional/steady_secondary_flow.hpp"
+#include "solvers/radial/annular_gap.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace searle::solvers::meridional {
+namespace {
+
+constexpr std::array<FlowResolution, 6> resolutions{
+    {{.degree = 4, .smallest = 5e-2, .largest = 0.5, .beside = 4.0},
+     {.degree = 5, .smallest = 5e-2, .largest = 0.5, .beside = 4.0},
+     {.degree = 6, .smallest = 5e-2, .largest = 0.5, .beside = 4.0},
+     {.degree = 7, .smallest = 1e-2, .largest = 0.25, .beside = 2.0},
+     {.degree = 9, .smallest = 2e-3, .largest = 0.25, .beside = 2.0},
+     {.degree = 10, .smallest = 5e-4, .largest = 0.125, .beside = 1.0}}};
+/// Tolerance of a step on the first level over the accuracy, and what it falls by with each level.
+constexpr double first_tolerance = 0.3;
+constexpr double tolerance_fall = 0.3;
+/// Rounding of the yield surface on the first level, halved on each further one, and of laws that
+/// have none.
+constexpr double first_yield_rounding = 2e-2;
+constexpr double smooth_rounding = 1e-5;
+/// At least this share of a row's last change counts as its error.
+constexpr double least_share = 0.25;
+/// Torques are judged against themselves, or against this share of the largest one.
+constexpr double least_scale = 1e-3;
+
+double largest_of(const std::vector<double>& values) {
+    double largest = 0.0;
+    for (const double value : values) {
+        largest = std::max(largest, std::abs(value));
+    }
+    return largest;
+}
+
+/// Change of each row from level to level, or of a neighbour where that is more: a row at which two
+/// levels happen to cross is not exact.
+std::vector<double> changes(const std::vector<double>& before, const std::vector<double>& after) {
+    const std::size_t rows = std::min(before.size(), after.size());
+    std::vector<double> change(rows);
+    for (std::size_t k = 0; k < rows; ++k) {
+        for (std::size_t near = k > 0 ? k - 1 : 0; near < std::min(k + 2, rows); ++near) {
+            const double scale = std::max(std::abs(after[k]), 1e-300);
+            const double of_near =
+                std::abs(after[near] - before[near]) / std::max(std::abs(after[near]), 1e-300);
+            // A neighbour's relative change counts; its absolute one may be of another size.
+            change[k] = std::max(change[k], std::min(of_near, 1.0) * scale);
+        }
+        change[k] = std::max(change[k], std::abs(after[k] - before[k]));
+    }
+    return change;
+}
+
+/// The level's state becomes the steady flow at `speed`, in units of the reference speed.
+void start_steadily(FlowLevel& level, SteadySecondaryFlow& steady, const ScaledFluid& at_speed,
+                    double speed, double reference_speed, double accuracy) {
+    static_cast<void>(steady.at(std::abs(speed)));
+    level.start_from_rest();
+    level.start_from(*steady.finest());
+    static_cast<void>(level.solve_steady(at_speed.material(), accuracy));
+    FlowState state = level.state();
+    state.velocity *= std::abs(speed) / reference_speed;
+    if (speed < 0.0) {
+        state.velocity.col(static_cast<Eigen::Index>(Component::rotation)) *= -1.0;
+    }
+    // The stepper finds the pressure that belongs to the velocity.
+    state.pressure.setZero();
+    level.set_state(std::move(state));
+}
+
+} // namespace
+
+TransientTorque transient_secondary_flow(const geometry::DinBob& bob,
+                                         const laws::flow::AnyFlowLaw& law, double density,
+                                         const rheometry::SpeedHistory& history, double accuracy,
+                                         const ProgressSink& progress) {
+    TransientTorque result;
+    const double reference_speed = history.fastest_speed();
+    const auto wall_rate_at = [&](double speed) {
+        return radial::steady_gap_flow({bob.bob_radius, bob.cup_radius}, law, std::abs(speed))
+            .inner_wall_rate;
+    };
+    const double wall_rate = wall_rate_at(reference_speed);
+    SteadySecondaryFlow steady(bob, law, density, accuracy);
+    const bool yields = laws::flow::yield_stress(law) > 0.0;
+    double rounding = yields ? first_yield_rounding : smooth_rounding;
+    double tolerance = first_tolerance * accuracy;
+    std::vector<double> change_before;
+    const std::size_t rows = history.row_times.size();
+    try {
+        for (const FlowResolution& resolution : resolutions) {
+            const ScaledFluid fluid(law, density, bob.bob_radius, reference_speed, wall_rate,
+                                    rounding);
+            FlowLevel level(bob, resolution);
+            if (history.initial_speed != 0.0) {
+                const double own_rate = wall_rate_at(history.initial_speed);
+                start_steadily(level, steady,
+                               {law, density, bob.bob_radius, std::abs(history.initial_speed),
+                                own_rate, rounding * wall_rate / own_rate},
+                               history.initial_speed, reference_speed, tolerance);
+            } else {
+                level.set_state(rest(level.space()));
+            }
+            const HistoryRun run =
+                run_history(level, fluid, reference_speed, history, tolerance, progress);
+            const double scale =
+                2.0 * std::numbers::pi * std::pow(bob.bob_radius, 3) * fluid.stress_scale();
+            std::vector<double> torque;
+            for (const double each : run.torque) {
+                torque.push_back(scale * each);
+            }
+            ++result.levels;
+            result.elements = static_cast<int>(level.mesh().elements.size());
+            result.unknowns = level.space().unknowns();
+            result.time_steps = run.steps;
+            result.linear_solves += run.solves;
+            const bool complete = torque.size() == rows;
+            result.stopped =
+                complete ? std::string{}
+                         : fmt::format("the flow could not be followed beyond t = {:.4g} s: its "
+                                       "time steps became too short",
+                                       run.end_time);
+            const std::vector<double> before = std::exchange(result.torque, torque);
+            const std::vector<double> change = changes(before, result.torque);
+            const double largest = largest_of(result.torque);
+            double worst = result.levels == 1 ? 1.0 : 0.0;
+            result.error.assign(result.torque.size(), largest);
+            for (std::size_t k = 0; k < change.size(); ++k) {
+                // Once two changes of a row are known, later ones shrink at least as they did; half
+                // of that is believed.
+                const double share =
+                    k < change_before.size() && change_before[k] > 0.0
+                        ? std::clamp(2.0 * change[k] / change_before[k], least_share, 1.0)
+                        : 1.0;
+                result.error[k] = share * change[k];
+                const double against = std::max(std::abs(result.torque[k]), least_scale * largest);
+                worst = std::max(worst, against > 0.0 ? result.error[k] / against : 0.0);
+            }
+            change_before = change;
+            result.worst_relative_error = worst;
+            result.reached = complete && result.levels > 1 && worst <= accuracy;
+            if (result.reached) {
+                break;
+            }
+            rounding *= yields ? 0.5 : 1.0;
+            tolerance *= tolerance_fall;
+        }
+    } catch (const Interrupted&) {
+        result.interrupted = true;
+        result.reached = false;
+    }
+    return result;
+}
+
+} // namespace searle::solvers::meridional
