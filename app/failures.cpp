@@ -1,6 +1,7 @@
 #include "app/failures.hpp"
 
 #include "app/case_reader.hpp"
+#include "app/checkpoint_file.hpp"
 #include "app/exit_code.hpp"
 #include "app/result_folder.hpp"
 #include "app/solved_case.hpp"
@@ -37,6 +38,8 @@ int called(const std::function<int()>& verb) {
     } catch (const rheometry::TableError& error) {
         return tell(ExitCode::wrong_usage, error.what());
     } catch (const UsageError& error) {
+        return tell(ExitCode::wrong_usage, error.what());
+    } catch (const CheckpointError& error) {
         return tell(ExitCode::wrong_usage, error.what());
     } catch (const solvers::UnsuitableScene& error) {
         return tell(ExitCode::wrong_usage, error.what());

@@ -61,7 +61,8 @@ PlannedCase plan_case(Case source, StageClock clock) {
     return planned;
 }
 
-SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress) {
+SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress,
+                      const solvers::suspension::Checkpointing& checkpointing) {
     SolvedCase solved{.source = std::move(planned.source),
                       .plan = std::move(planned.plan),
                       .solution = {},
@@ -72,7 +73,8 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
     std::vector<double> end_factors;
     if (scene.particles) {
         solved.solution =
-            solvers::suspension::solve_suspension(scene, solved.plan, progress).solution;
+            solvers::suspension::solve_suspension(scene, solved.plan, progress, checkpointing)
+                .solution;
     } else if (solved.plan.model == "axisymmetric") {
         solvers::axisymmetric::AxisymmetricReport report =
             solvers::axisymmetric::solve_axisymmetric(scene, solved.plan, progress);

@@ -39,6 +39,19 @@ public:
     /// Particles that may touch the walls before the next rebuild.
     AlignedVector<int> near_lower, near_upper;
 
+    /// The list's own numbers beside its public columns, for a checkpoint.
+    struct State {
+        double moved{}, strain{}, largest_distance{};
+        long rebuilds{};
+    };
+    [[nodiscard]] State state() const { return {moved_, strain_, largest_distance_, rebuilds_}; }
+    void restore(const State& state) {
+        moved_ = state.moved;
+        strain_ = state.strain;
+        largest_distance_ = state.largest_distance;
+        rebuilds_ = state.rebuilds;
+    }
+
     [[nodiscard]] double reach() const { return reach_; }
     [[nodiscard]] long rebuilds() const { return rebuilds_; }
     [[nodiscard]] std::size_t size() const { return first.size(); }

@@ -12,6 +12,7 @@ namespace searle::solvers::particles {
 namespace {
 
 constexpr int most_sweeps = 20000;
+constexpr int patience = 500; ///< sweeps within which the largest overlap must fall by 30 %
 
 double volume_of(double radius) { return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius; }
 
@@ -109,9 +110,19 @@ void relax(ParticleStore& p, ShearBox& box, double tolerance) {
     NeighbourList list(0.0, 0.3 * p.largest_radius());
     list.rebuild(p, box);
     Relaxation relaxation;
+    double smallest = 1.0;
+    double before = 1.0;
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-        if (push_apart(p, box, list) <= tolerance)
+        const double worst = push_apart(p, box, list);
+        if (worst <= tolerance)
             return;
+        // A jammed packing no longer gets better.
+        smallest = std::min(smallest, worst);
+        if (sweep % patience == patience - 1) {
+            if (smallest > 0.7 * before)
+                return;
+            before = smallest;
+        }
         if (list.is_stale_after(relaxation.step(p), 0.0))
             list.rebuild(p, box);
     }

@@ -2,6 +2,7 @@
 
 #include "laws/contact/rayleigh_time.hpp"
 #include "laws/drag/stokes.hpp"
+#include "solvers/suspension/suspension_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,7 @@ namespace {
 using particles::Column;
 using particles::ParticleStore;
 
-/// Shares that the step keeps to at an asked accuracy of 1e-3; docs/suspension.md has what they
+/// Shares that the step keeps to at an asked accuracy of 2e-3; docs/suspension.md has what they
 /// cost in accuracy.
 constexpr double contact_share = 0.3;   ///< of drag / (2 k_n)
 constexpr double explicit_share = 0.1;  ///< of the particles' relaxation time
@@ -75,7 +76,7 @@ InertialMotion::InertialMotion(SuspensionInput input)
 }
 
 void InertialMotion::choose_step() {
-    const double scale = std::clamp(input_.accuracy / 1e-3, 0.05, 3.0);
+    const double scale = step_scale(input_.accuracy);
     const double least_radius = smallest(particles_.radius);
     const double drag = laws::drag::Stokes{input_.viscosity, 0.0}.coefficient(least_radius, 0, 1);
     const double rate = input_.fastest_wall_speed / box_.length_y;

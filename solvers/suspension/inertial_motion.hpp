@@ -29,6 +29,9 @@ public:
 
     StressSample advance(const WallSpeed& speed, double until) override;
 
+    void save(Checkpoint& into) const override;
+    void restore(const Checkpoint& from) override;
+
     [[nodiscard]] double time() const override { return time_; }
     [[nodiscard]] const particles::ParticleStore& particles() const override { return particles_; }
     [[nodiscard]] const particles::ShearBox& box() const override { return box_; }

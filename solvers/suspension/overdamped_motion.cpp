@@ -1,6 +1,7 @@
 #include "solvers/suspension/overdamped_motion.hpp"
 
 #include "laws/drag/stokes.hpp"
+#include "solvers/suspension/particle_checkpoint.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -121,11 +122,16 @@ void OverdampedMotion::set_right_side(double rate) {
 
 void OverdampedMotion::precondition() {
     const double unit = films_.length_unit;
+    paired_.assign(particles_.size(), 0);
+    for (const NearPair& c : pairs_)
+        paired_[static_cast<std::size_t>(c.first)] = paired_[static_cast<std::size_t>(c.second)] = 1;
     for (std::size_t i = 0; i < particles_.size(); ++i) {
         drag_[i] = laws::drag::Stokes{input_.viscosity, 0.0}.coefficient(particles_.radius[i], 0, 1);
         turning_drag_[i] =
             laws::drag::rotational_coefficient(input_.viscosity, particles_.radius[i]) /
             (unit * unit);
+        if (paired_[i] == 0)
+            continue;
         Eigen::Map<Block> block(blocks_[i].data());
         block.setZero();
         block.diagonal().head<3>().setConstant(drag_[i]);
@@ -149,8 +155,10 @@ void OverdampedMotion::precondition() {
         add(c.first, c, c.lever_first, c.mixed, -1.0);
         add(c.second, c, c.lever_second, -c.mixed, 1.0);
     }
-    for (auto& numbers : blocks_) {
-        Eigen::Map<Block> block(numbers.data());
+    for (std::size_t i = 0; i < particles_.size(); ++i) {
+        if (paired_[i] == 0)
+            continue;
+        Eigen::Map<Block> block(blocks_[i].data());
         const Block inverse = block.llt().solve(Block::Identity());
         block = inverse;
     }
@@ -166,6 +174,11 @@ void OverdampedMotion::solve() {
     };
     const auto scale = [&](const Motions& in, Motions& out) {
         for (std::size_t i = 0; i < count; ++i) {
+            if (paired_[i] == 0) {
+                for (std::size_t c = 0; c < 8; ++c)
+                    out[i][c] = in[i][c] / (c < 3 ? drag_[i] : turning_drag_[i]);
+                continue;
+            }
             const Eigen::Map<const Block> block(blocks_[i].data());
             Eigen::Map<Eigen::Matrix<double, 6, 1>>(out[i].data()).noalias() =
                 block * Eigen::Map<const Eigen::Matrix<double, 6, 1>>(in[i].data());
@@ -298,6 +311,28 @@ StressSample OverdampedMotion::move(double step, double rate) {
         2.0 * static_cast<double>(sums_.contacts) / static_cast<double>(particles_.size());
     s.wall = s.bulk;
     return s;
+}
+
+void OverdampedMotion::save(Checkpoint& into) const {
+    put_particles(into, particles_, box_, list_, counts_);
+    std::vector<double> velocities;
+    for (const Motion& each : motion_)
+        velocities.insert(velocities.end(), each.begin(), each.end());
+    into.put("velocities", velocities);
+    into.put("motion", std::vector<double>{time_, step_, fastest_, fastest_closing_});
+}
+
+void OverdampedMotion::restore(const Checkpoint& from) {
+    get_particles(from, particles_, box_, list_, counts_);
+    const std::vector<double>& velocities = from.column("velocities");
+    for (std::size_t i = 0; i < motion_.size(); ++i)
+        for (std::size_t c = 0; c < 8; ++c)
+            motion_[i][c] = velocities.at(8 * i + c);
+    const std::vector<double>& motion = from.column("motion");
+    time_ = motion.at(0);
+    step_ = motion.at(1);
+    fastest_ = motion.at(2);
+    fastest_closing_ = motion.at(3);
 }
 
 StressSample OverdampedMotion::advance(const WallSpeed& speed, double until) {

@@ -30,6 +30,9 @@ public:
 
     StressSample advance(const WallSpeed& speed, double until) override;
 
+    void save(Checkpoint& into) const override;
+    void restore(const Checkpoint& from) override;
+
     [[nodiscard]] double time() const override { return time_; }
     [[nodiscard]] const particles::ParticleStore& particles() const override { return particles_; }
     [[nodiscard]] const particles::ShearBox& box() const override { return box_; }
@@ -56,6 +59,7 @@ private:
     Motions right_side_;
     Motions residual_, direction_, image_, scaled_;
     particles::AlignedVector<std::array<double, 36>> blocks_; ///< inverse of the diagonal blocks
+    particles::AlignedVector<char> paired_; ///< whether a particle has a near pair
     particles::Column drag_, turning_drag_;
     double step_{};
     double fastest_{};      ///< of the last step, against the mean flow, m/s

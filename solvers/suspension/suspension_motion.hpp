@@ -3,6 +3,7 @@
 #include "rheometry/speed_history.hpp"
 #include "solvers/particles/particle_store.hpp"
 #include "solvers/particles/shear_box.hpp"
+#include "solvers/suspension/checkpoint.hpp"
 #include "solvers/suspension/stress_sample.hpp"
 
 #include <functional>
@@ -36,6 +37,10 @@ public:
     /// Takes one coupling interval, shortened so that it does not pass `until`.
     /// @return the means over it
     virtual StressSample advance(const WallSpeed& speed, double until) = 0;
+
+    /// All of its state; a motion of the same input that is restored goes on bit for bit.
+    virtual void save(Checkpoint& into) const = 0;
+    virtual void restore(const Checkpoint& from) = 0;
 
     [[nodiscard]] virtual double time() const = 0;
     [[nodiscard]] virtual const particles::ParticleStore& particles() const = 0;

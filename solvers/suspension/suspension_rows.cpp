@@ -2,6 +2,7 @@
 
 #include "solvers/suspension/block_statistics.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -46,7 +47,7 @@ columns_by(bool walls, const std::function<double(const Pick&)>& estimate) {
 }
 
 rheometry::TorqueRow finished(const rheometry::SuspensionStress& stress, double time,
-                              double wall_area, double claimed) {
+                              double wall_area, ClaimedError claimed) {
     rheometry::TorqueRow row;
     row.time = time;
     row.torque = stress.total() * wall_area;
@@ -54,7 +55,8 @@ rheometry::TorqueRow finished(const rheometry::SuspensionStress& stress, double 
     // forces between particles, as the bulk shows them whatever the wall happens to feel.
     const double disturbed = std::abs(stress.bulk_contact) + std::abs(stress.bulk_dlvo) +
                              std::abs(stress.bulk_brownian);
-    row.torque_error = (claimed * disturbed + 1e-6 * std::abs(stress.total())) * wall_area;
+    row.torque_error = (claimed.forces * disturbed +
+                        claimed.films * std::abs(stress.bulk_hydrodynamic) + 1e-6 * std::abs(stress.total())) * wall_area;
     row.suspension = stress;
     return row;
 }
@@ -65,8 +67,17 @@ double total_of(const StressSample& sample, bool walls) {
 
 } // namespace
 
+double step_scale(double accuracy) { return std::clamp(accuracy / 2e-3, 0.02, 3.0); }
+
+ClaimedError claimed_error(double accuracy, bool films) {
+    if (films)
+        return {.forces = 1.5 * std::clamp(accuracy, 2e-4, 1e-2),
+                .films = 0.15 * std::clamp(accuracy, 2e-4, 1e-2)};
+    return {.forces = 2e-3 * step_scale(accuracy), .films = 0.0};
+}
+
 rheometry::TorqueRow row_of_hold(std::span<const StressSample> samples, bool walls, double discard,
-                                 double wall_area, double claimed) {
+                                 double wall_area, ClaimedError claimed) {
     std::size_t start = 0;
     if (discard >= 0.0) {
         double strain = 0.0;
@@ -94,7 +105,7 @@ rheometry::TorqueRow row_of_hold(std::span<const StressSample> samples, bool wal
 }
 
 rheometry::TorqueRow row_of_ramp(std::span<const StressSample> samples, bool walls, double time,
-                                 double wall_area, double claimed) {
+                                 double wall_area, ClaimedError claimed) {
     const std::vector<double> times =
         series_of(samples, [](const StressSample& s) { return s.time; });
     rheometry::SuspensionStress stress = columns_by(walls, [&](const Pick& pick) {

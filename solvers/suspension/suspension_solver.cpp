@@ -80,21 +80,32 @@ std::unique_ptr<SuspensionMotion> make_motion(SuspensionInput input) {
 /// Runs a motion and keeps what it gives.
 class Run {
 public:
-    Run(const Scene& scene, SuspensionMotion& motion, const ProgressSink& progress)
-        : scene_(scene), motion_(motion), progress_(progress),
+    Run(const Scene& scene, SuspensionMotion& motion, const ProgressSink& progress,
+        const Checkpointing& checkpointing, bool films)
+        : scene_(scene), motion_(motion), progress_(progress), checkpointing_(checkpointing),
           walls_(scene.particles->boundary == ParticleBoundary::walls),
           area_(std::get<geometry::Box>(scene.instrument).wall_area()),
-          claimed_(numerical_share * std::max(scene.solver.accuracy / 1e-3, 0.05)) {}
+          claimed_(claimed_error(scene.solver.accuracy, films)) {
+        if (checkpointing.start)
+            restore(*checkpointing.start);
+    }
 
     void sample_until(const WallSpeed& speed, double until) {
+        // A run that goes on has these samples.
+        if (replayed_ < restored_) {
+            ++replayed_;
+            return;
+        }
         SampleMean mean;
         while (motion_.time() < until) {
             mean.add(motion_.advance(speed, until));
             if (++calls_ % 16 == 0)
                 report(motion_.time());
         }
-        if (mean.duration() > 0.0)
-            samples_.push_back(mean.mean());
+        samples_.push_back(mean.mean());
+        replayed_ = restored_ = samples_.size();
+        if (checkpointing_.offer)
+            checkpointing_.offer([this] { return save(); });
     }
 
     void follow(const rheometry::SpeedHistory& history, double discard, bool holds,
@@ -129,7 +140,7 @@ public:
             for (const double end : history.row_times) {
                 for (int part = 1; part <= parts; ++part)
                     sample_until(speed, part == parts ? end : before + (end - before) * part / parts);
-                ends.push_back(samples_.size());
+                ends.push_back(replayed_);
                 before = end;
             }
         } catch (const Interrupted&) {
@@ -144,8 +155,8 @@ public:
         try {
             for (const double wall_speed : series.speeds) {
                 const double rate = std::abs(wall_speed) / gap;
-                const double start = motion_.time();
-                const std::size_t first = samples_.size();
+                const std::size_t first = replayed_;
+                const double start = time_after(first);
                 const WallSpeed speed = [wall_speed](double) { return wall_speed; };
                 end_time_ = start + 10.0 / rate *
                                         static_cast<double>(series.speeds.size() -
@@ -153,14 +164,15 @@ public:
                 rheometry::TorqueRow row;
                 bool settled = false;
                 for (double strain = 2.0; strain <= steady_strain_cap && !settled; strain += 1.0) {
-                    while (motion_.time() < start + (strain - 1e-9) / rate)
-                        sample_until(speed, motion_.time() + 1.0 / (samples_per_strain * rate));
-                    row = row_of_hold(std::span(samples_).subspan(first), walls_, -1.0, area_,
-                                      claimed_);
+                    while (time_after(replayed_) < start + (strain - 1e-6) / rate)
+                        sample_until(speed, time_after(replayed_) +
+                                                1.0 / (samples_per_strain * rate));
+                    row = row_of_hold(std::span(samples_).subspan(first, replayed_ - first), walls_,
+                                      -1.0, area_, claimed_);
                     settled = row.suspension->statistical_error <=
                               steady_statistical_error * std::abs(row.suspension->total());
                 }
-                row.time = motion_.time();
+                row.time = time_after(replayed_);
                 row.speed = wall_speed;
                 add(row, report);
                 if (!settled) {
@@ -181,6 +193,40 @@ public:
     std::vector<StressSample> take_samples() { return std::move(samples_); }
 
 private:
+    /// End of the first `count` samples, s.
+    [[nodiscard]] double time_after(std::size_t count) const {
+        if (count == 0)
+            return 0.0;
+        if (count == samples_.size() && replayed_ == restored_)
+            return motion_.time();
+        const StressSample& last = samples_[count - 1];
+        return last.time + 0.5 * last.duration;
+    }
+
+    [[nodiscard]] Checkpoint save() const {
+        Checkpoint checkpoint;
+        motion_.save(checkpoint);
+        std::vector<double> numbers;
+        for (const StressSample& sample : samples_) {
+            const auto values = sample.values();
+            numbers.insert(numbers.end(), values.begin(), values.end());
+        }
+        checkpoint.put("samples", numbers);
+        return checkpoint;
+    }
+
+    void restore(const Checkpoint& checkpoint) {
+        motion_.restore(checkpoint);
+        const std::vector<double>& numbers = checkpoint.column("samples");
+        for (std::size_t k = 0; k + StressSample::size <= numbers.size(); k += StressSample::size) {
+            std::array<double, StressSample::size> values{};
+            std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(k), values.size(),
+                        values.begin());
+            samples_.push_back(StressSample::from(values));
+        }
+        restored_ = samples_.size();
+    }
+
     static bool same_piece(const rheometry::SpeedHistory& history, double one, double other) {
         for (const auto& piece : history.pieces)
             if (one > piece.start_time && one <= piece.end_time)
@@ -215,9 +261,12 @@ private:
     const Scene& scene_;
     SuspensionMotion& motion_;
     const ProgressSink& progress_;
+    const Checkpointing& checkpointing_;
+    std::size_t restored_ = 0; ///< samples of a run that goes on
+    std::size_t replayed_ = 0; ///< of them, passed again by the loops over the protocol
     bool walls_;
     double area_;
-    double claimed_;
+    ClaimedError claimed_;
     double end_time_ = 0.0;
     long calls_ = 0;
     std::vector<StressSample> samples_;
@@ -226,7 +275,8 @@ private:
 } // namespace
 
 SuspensionReport solve_suspension(const Scene& scene, const Plan& plan,
-                                  const ProgressSink& progress) {
+                                  const ProgressSink& progress,
+                                  const Checkpointing& checkpointing) {
     SuspensionReport report;
     report.solution.transient = true;
     const SuspensionChoice choice = choose(scene);
@@ -250,7 +300,8 @@ SuspensionReport solve_suspension(const Scene& scene, const Plan& plan,
         progress(0.0, "packing the particles");
     const std::unique_ptr<SuspensionMotion> motion =
         make_motion(input_for(scene, choice, initial, fastest));
-    Run run(scene, *motion, progress);
+    Run run(scene, *motion, progress, checkpointing,
+            choice.settings.hydrodynamics == Hydrodynamics::lubrication);
     const auto* steps = std::get_if<rheometry::Steps>(&scene.protocol.program);
     try {
         if (steady)

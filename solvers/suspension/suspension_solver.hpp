@@ -3,6 +3,7 @@
 #include "solvers/plan.hpp"
 #include "solvers/progress.hpp"
 #include "solvers/radial/radial_solver.hpp"
+#include "solvers/suspension/checkpoint.hpp"
 #include "solvers/suspension/stress_sample.hpp"
 
 #include <vector>
@@ -27,7 +28,9 @@ inline constexpr double steady_statistical_error = 0.05;
 /// line through the stresses up to a row before and after it, at its time; of a step the mean after
 /// its start-up.
 /// Throws UnsuitableScene where the particles cannot be packed.
+/// @param checkpointing where to go on from, and where to save
 [[nodiscard]] SuspensionReport solve_suspension(const Scene& scene, const Plan& plan,
-                                                const ProgressSink& progress);
+                                                const ProgressSink& progress,
+                                                const Checkpointing& checkpointing = {});
 
 } // namespace searle::solvers::suspension

@@ -38,6 +38,7 @@ const std::map<std::string, std::set<std::string>> third_party{
     {"udunits2", {"casefile/unit.cpp"}},
     {"freexl", {"rheometry/tables/spreadsheet.cpp"}},
     {"CLI/", {"app/command_line.cpp"}},
+    {"hdf5", {"app/checkpoint_file.cpp"}},
     {"gmsh.h", {"geometry/gmsh_module/module.cpp"}},
     {"CGAL/", {"geometry/outline_check.cpp"}},
     {"nlohmann",
