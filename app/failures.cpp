@@ -8,6 +8,7 @@
 #include "app/usage_error.hpp"
 #include "geometry/mesh_error.hpp"
 #include "rheometry/tables/table_error.hpp"
+#include "solvers/suspension/suspension_motion.hpp"
 #include "solvers/unsuitable_scene.hpp"
 
 #include <fmt/format.h>
@@ -39,6 +40,8 @@ int called(const std::function<int()>& verb) {
         return tell(ExitCode::wrong_usage, error.what());
     } catch (const UsageError& error) {
         return tell(ExitCode::wrong_usage, error.what());
+    } catch (const solvers::suspension::StepFailure& error) {
+        return tell(ExitCode::not_reached, fmt::format("{}; nothing was written", error.what()));
     } catch (const CheckpointError& error) {
         return tell(ExitCode::wrong_usage, error.what());
     } catch (const solvers::UnsuitableScene& error) {

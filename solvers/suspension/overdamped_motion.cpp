@@ -184,6 +184,10 @@ void OverdampedMotion::solve() {
                 block * Eigen::Map<const Eigen::Matrix<double, 6, 1>>(in[i].data());
         }
     };
+    // Who has no near pair moves with the flow; the step before may have been another.
+    for (std::size_t i = 0; i < count; ++i)
+        if (paired_[i] == 0)
+            motion_[i] = {};
     apply(motion_, image_);
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t c = 0; c < 8; ++c)
@@ -191,6 +195,9 @@ void OverdampedMotion::solve() {
     // Sizes in the norm of the preconditioner, which weighs stiff and free particles alike.
     scale(right_side_, scaled_);
     const double goal = residual_share * residual_share * dot(right_side_, scaled_);
+    if (goal == 0.0)
+        for (Motion& each : motion_)
+            each = {};
     scale(residual_, scaled_);
     double size = dot(residual_, scaled_);
     direction_ = scaled_;

@@ -145,6 +145,8 @@ public:
             }
         } catch (const Interrupted&) {
             report.solution.interrupted = true;
+        } catch (const StepFailure& failure) {
+            tell(failure, report);
         }
         finish_all();
     }
@@ -187,6 +189,8 @@ public:
             }
         } catch (const Interrupted&) {
             report.solution.interrupted = true;
+        } catch (const StepFailure& failure) {
+            tell(failure, report);
         }
     }
 
@@ -225,6 +229,13 @@ private:
             samples_.push_back(StressSample::from(values));
         }
         restored_ = samples_.size();
+    }
+
+    /// A step that cannot be taken ends the run; the rows before it are kept, if there are any.
+    static void tell(const StepFailure& failure, SuspensionReport& report) {
+        report.solution.reached = false;
+        report.failure = failure.what();
+        report.solution.notes.push_back(fmt::format("The run stopped: {}.", failure.what()));
     }
 
     static bool same_piece(const rheometry::SpeedHistory& history, double one, double other) {
@@ -303,16 +314,13 @@ SuspensionReport solve_suspension(const Scene& scene, const Plan& plan,
     Run run(scene, *motion, progress, checkpointing,
             choice.settings.hydrodynamics == Hydrodynamics::lubrication);
     const auto* steps = std::get_if<rheometry::Steps>(&scene.protocol.program);
-    try {
-        if (steady)
-            run.follow_steady(*steady, report);
-        else
-            run.follow(*history, steps ? steps->discard_strain.value_or(-1.0) : -1.0,
-                       steps != nullptr, report);
-    } catch (const StepFailure& failure) {
-        report.solution.reached = false;
-        report.solution.notes.push_back(fmt::format("The run stopped: {}.", failure.what()));
-    }
+    if (steady)
+        run.follow_steady(*steady, report);
+    else
+        run.follow(*history, steps ? steps->discard_strain.value_or(-1.0) : -1.0, steps != nullptr,
+                   report);
+    if (!report.failure.empty() && report.solution.history.rows.empty())
+        throw StepFailure(report.failure);
     const StepCounts counts = motion->counts();
     report.solution.refinements = 1;
     report.solution.elements = std::max(0, static_cast<int>(motion->fluid_velocity().size()) - 1);

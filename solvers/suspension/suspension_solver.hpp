@@ -6,6 +6,7 @@
 #include "solvers/suspension/checkpoint.hpp"
 #include "solvers/suspension/stress_sample.hpp"
 
+#include <string>
 #include <vector>
 
 namespace searle::solvers::suspension {
@@ -17,6 +18,7 @@ namespace searle::solvers::suspension {
 struct SuspensionReport {
     radial::RadialReport solution;
     std::vector<StressSample> samples; ///< the series that the rows were made of
+    std::string failure;               ///< why a step could not be taken; empty: all were
 };
 
 /// Largest strain of a step with hold = "steady".
@@ -27,7 +29,8 @@ inline constexpr double steady_statistical_error = 0.05;
 /// Runs the scene's particles through its protocol. Of a ramp or segment each row is the straight
 /// line through the stresses up to a row before and after it, at its time; of a step the mean after
 /// its start-up.
-/// Throws UnsuitableScene where the particles cannot be packed.
+/// Throws UnsuitableScene where the particles cannot be packed, StepFailure where a step before the
+/// first row cannot be taken.
 /// @param checkpointing where to go on from, and where to save
 [[nodiscard]] SuspensionReport solve_suspension(const Scene& scene, const Plan& plan,
                                                 const ProgressSink& progress,
