@@ -78,7 +78,8 @@ void check_solver(const CaseAsWritten& written, Findings& findings) {
 }
 
 void check_output(const CaseAsWritten& written, Findings& findings) {
-    if (findings.given("output.field_rows") && !written.output.fields)
+    // A resolved case holds the default too.
+    if (written.output.field_rows != solvers::OutputSettings{}.field_rows && !written.output.fields)
         findings.contradiction({"output.field_rows", "output.fields"}, "no fields are written",
                                "fields = true beside field_rows");
 }

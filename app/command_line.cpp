@@ -5,6 +5,7 @@
 #include "app/verb_check.hpp"
 #include "app/verb_convert.hpp"
 #include "app/verb_doctor.hpp"
+#include "app/verb_ends.hpp"
 #include "app/verb_fit.hpp"
 #include "app/verb_mesh.hpp"
 #include "app/verb_new.hpp"
@@ -49,6 +50,7 @@ public:
         add_check();
         add_convert();
         add_fit();
+        add_ends();
         add_mesh();
         add_report();
         add_new();
@@ -208,6 +210,21 @@ private:
         add_paths(app, "-o,--output", options->outputs,
                   "Also write fit.html, fit.json or fit.csv, by the ending; may be repeated")
             ->allow_extra_args(false);
+    }
+    void add_ends() {
+        auto options = std::make_shared<EndsOptions>();
+        CLI::App* app = add("ends", "Tabulate the end factor c_L of a bob and fluid over the speed",
+                            "cases/din-bob-slurry.toml --rates 0.01:100:9", options, ends);
+        add_path(app, "CASE", options->case_file, "Case file (TOML)")->required();
+        app->add_option_function<std::string>(
+               "--rates", [options](const std::string& text) { options->rates = text; },
+               "Shear rates, 1/s: A,B,... or LOW:HIGH:COUNT; default those of the case's rows")
+            ->type_name("RATES");
+        add_overrides(app, options->overrides);
+        auto* json = app->add_flag("--json", options->json, "Print JSON");
+        app->add_flag("--csv", options->csv, "Print CSV")->excludes(json);
+        add_path(app, "-o,--output", options->output, "File to write; default standard output");
+        app->add_flag("--quiet", options->quiet, "Show no progress");
     }
     void add_mesh() {
         auto options = std::make_shared<MeshOptions>();

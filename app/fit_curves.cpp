@@ -70,7 +70,7 @@ std::vector<CurveRecord> fit_curves(const FitVerbOptions& options) {
     const fit::FitOptions how = fit_options_of(options);
     const fit::Selection selection = selection_of(options);
     const std::vector<double> rates =
-        options.predict ? rates_of(*options.predict) : std::vector<double>();
+        options.predict ? rates_of(*options.predict, "--predict") : std::vector<double>();
     std::vector<CurveRecord> records;
     for (const rheometry::FlowCurveTable& curve : read_all(options)) {
         CurveRecord record;

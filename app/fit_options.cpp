@@ -112,22 +112,23 @@ std::optional<std::string> deviation_column_of(const FitVerbOptions& options) {
     return options.weights;
 }
 
-std::vector<double> rates_of(std::string_view words) {
+std::vector<double> rates_of(std::string_view words, std::string_view option) {
     const auto parts = parts_of(words, ':');
     std::vector<double> rates;
     if (parts.size() == 3) {
-        const double low = number_of(parts[0], "--predict");
-        const double high = number_of(parts[1], "--predict");
-        const double count = number_of(parts[2], "--predict");
+        const double low = number_of(parts[0], option);
+        const double high = number_of(parts[1], option);
+        const double count = number_of(parts[2], option);
         if (!(low > 0.0 && high > low && count >= 2.0 && count <= 100000.0 &&
               count == std::floor(count)))
-            throw UsageError("--predict LOW:HIGH:COUNT needs 0 < LOW < HIGH and 2 to 100000 rates");
+            throw UsageError(fmt::format(
+                "{} LOW:HIGH:COUNT needs 0 < LOW < HIGH and 2 to 100000 rates", option));
         return fit::spread_rates(low, high, static_cast<std::size_t>(count));
     }
     for (const std::string_view word : parts_of(words, ',')) {
-        rates.push_back(number_of(word, "--predict"));
+        rates.push_back(number_of(word, option));
         if (!(rates.back() > 0.0))
-            throw UsageError(fmt::format("--predict: {} is not a shear rate above 0", word));
+            throw UsageError(fmt::format("{}: {} is not a shear rate above 0", option, word));
     }
     return rates;
 }

@@ -20,6 +20,7 @@ namespace searle::app {
 /// The heading of a column of standard deviations, where `--weights` names one.
 [[nodiscard]] std::optional<std::string> deviation_column_of(const FitVerbOptions& options);
 /// Rates of "0.1,1,10" or of "0.01:1000:31" (spread evenly in the logarithm), 1/s.
-[[nodiscard]] std::vector<double> rates_of(std::string_view words);
+/// @param option  that takes them, for messages
+[[nodiscard]] std::vector<double> rates_of(std::string_view words, std::string_view option);
 
 } // namespace searle::app

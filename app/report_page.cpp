@@ -101,6 +101,7 @@ std::string report_page(const RunRecord& record) {
         .measured = {},
         .compared_with = {},
         .csv = record.csv.size() <= largest_embedded_csv ? record.csv : "",
+        .ends = record.ends,
         .fields = record.fields};
     for (const PlanNote& note : summary.plan)
         input.validity.push_back({note.what, note.solved, note.reason});

@@ -2,6 +2,7 @@
 
 #include "app/case_reader.hpp"
 #include "app/summary_json.hpp"
+#include "rheometry/end_effect.hpp"
 #include "rheometry/fields/section_fields.hpp"
 #include "rheometry/rheogram.hpp"
 
@@ -16,6 +17,7 @@ struct RunRecord {
     Case source; ///< read from case.toml; places of values are those of the summary
     rheometry::Rheogram rheogram;
     std::string csv;                                      ///< the bytes of rheogram.csv
+    std::vector<rheometry::EndEffect> ends;               ///< of end_factor.csv
     std::vector<rheometry::fields::SectionFields> fields; ///< of fields/, by row
 };
 

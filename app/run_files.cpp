@@ -4,6 +4,7 @@
 #include "app/run_summary.hpp"
 #include "rheometry/rheogram_csv.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <iterator>
@@ -30,6 +31,7 @@ RunRecord record_of(const SolvedCase& solved, const std::string& created) {
             .source = solved.source,
             .rheogram = solved.rheogram,
             .csv = csv_of(solved),
+            .ends = solved.ends,
             .fields = solved.solution.fields};
 }
 
@@ -38,6 +40,8 @@ std::vector<ResultFile> files_of(const RunRecord& record, const std::string& pre
                                   {prefix + "report.html", report_page(record)},
                                   {prefix + "rheogram.csv", record.csv},
                                   {prefix + "summary.json", summary_json(record.summary)}};
+    if (!record.ends.empty())
+        files.push_back({prefix + "end_factor.csv", rheometry::end_effect_csv(record.ends)});
     for (ResultFile& file : field_files(record.fields))
         files.push_back({prefix + file.name, std::move(file.content)});
     return files;
@@ -59,6 +63,8 @@ RunRecord read_record(const fs::path& folder) {
     const fs::path csv_file = folder / "rheogram.csv";
     record.csv = text_of_file(csv_file);
     record.rheogram = rheometry::read_rheogram_csv(csv_file).rheogram;
+    if (std::ranges::count(record.summary.files, "end_factor.csv") > 0)
+        record.ends = rheometry::read_end_effect_csv(folder / "end_factor.csv");
     record.fields = read_field_files(folder, record.summary.files);
     return record;
 }

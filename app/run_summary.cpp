@@ -87,6 +87,8 @@ RunSummary run_summary(const SolvedCase& solved, const std::string& created) {
         .warnings = warnings_of(solved),
         .timings = solved.clock.stages(),
         .files = {"case.toml", "report.html", "rheogram.csv", "summary.json"}};
+    if (!solved.ends.empty())
+        summary.files.emplace_back("end_factor.csv");
     for (std::string& name : field_file_names(solved.solution.fields))
         summary.files.push_back(std::move(name));
     std::sort(summary.files.begin(), summary.files.end());

@@ -1,6 +1,6 @@
 #include "app/solved_case.hpp"
 
-#include "solvers/axisymmetric/axisymmetric_solver.hpp"
+#include "solvers/meridional/bob_solver.hpp"
 #include "solvers/suspension/suspension_solver.hpp"
 
 #include <fmt/format.h>
@@ -68,6 +68,7 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
                       .solution = {},
                       .conversion = {},
                       .rheogram = {},
+                      .ends = {},
                       .clock = std::move(planned.clock)};
     const solvers::Scene& scene = solved.source.scene;
     std::vector<double> end_factors;
@@ -77,9 +78,10 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
                 .solution;
     } else if (solved.plan.model == "axisymmetric") {
         solvers::axisymmetric::AxisymmetricReport report =
-            solvers::axisymmetric::solve_axisymmetric(scene, solved.plan, progress);
+            solvers::meridional::solve_bob(scene, solved.plan, progress);
         solved.solution = std::move(report.solution);
         end_factors = std::move(report.end_factor);
+        solved.ends = std::move(report.ends);
     } else {
         solved.solution = solvers::radial::solve_radial(scene, solved.plan, progress);
     }

@@ -4,6 +4,7 @@
 #include "app/stage_clock.hpp"
 #include "app/summary_json.hpp"
 #include "rheometry/conversion/conversion.hpp"
+#include "rheometry/end_effect.hpp"
 #include "rheometry/rheogram.hpp"
 #include "solvers/plan.hpp"
 #include "solvers/progress.hpp"
@@ -39,6 +40,8 @@ struct SolvedCase {
     solvers::radial::RadialReport solution;
     rheometry::Conversion conversion;
     rheometry::Rheogram rheogram;
+    /// Where the instrument's ends were solved: those of the rows that turn.
+    std::vector<rheometry::EndEffect> ends;
     StageClock clock;
 };
 

@@ -17,7 +17,8 @@ struct ProtocolSpeed {
     SpeedKind kind = SpeedKind::shear_rate;
 };
 
-/// Speed linear in time over `duration` (s, > 0), `points` rows at t = k duration / points, k = 1 ... points.
+/// Speed linear in time over `duration` (s, > 0), `points` rows at t = k duration / points, k = 1
+/// ... points.
 struct Ramp {
     ProtocolSpeed from{};
     ProtocolSpeed to{};

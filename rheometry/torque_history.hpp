@@ -8,8 +8,8 @@
 namespace searle::rheometry {
 
 /// One row of what an instrument measures. "Torque" is the torque that the drive must apply to the
-/// rotor, about +z, of the whole instrument (N m), positive when the fluid resists a positive speed;
-/// for the box it is the force on the moving wall (N) and "speed" is m/s.
+/// rotor, about +z, of the whole instrument (N m), positive when the fluid resists a positive
+/// speed; for the box it is the force on the moving wall (N) and "speed" is m/s.
 struct TorqueRow {
     double time{};         ///< s; see SpeedHistory and SteadySpeeds
     double speed{};        ///< rad/s (m/s for the box)
@@ -17,8 +17,9 @@ struct TorqueRow {
     double torque_error{}; ///< estimate of the numerical error of `torque`, same unit, >= 0
     /// Inertia-free torque at this speed, for the regime and the report.
     double steady_torque{};
-    /// Outermost (for an inner rotor) radius that is sheared, m; the wall's radius when all is sheared.
-    /// Of the steady flow at this speed. For the double gap: of the outer gap. For the box: 0.
+    /// Outermost (for an inner rotor) radius that is sheared, m; the wall's radius when all is
+    /// sheared. Of the steady flow at this speed. For the double gap: of the outer gap. For the
+    /// box: 0.
     double yield_radius{};
     /// Shear rate of the steady flow at the rotor's wall, 1/s, >= 0.
     double rotor_wall_rate{};

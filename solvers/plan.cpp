@@ -31,6 +31,19 @@ bool needs_inertia(const Scene& scene, const Forecast& forecast) {
     });
 }
 
+/// Secondary flow may be left out only when a few times its estimate is far below what was asked.
+bool needs_secondary_flow(const Scene& scene, const Forecast& forecast) {
+    if (!is_din_bob(scene) || scene.solver.model == Model::radial ||
+        scene.solver.secondary_flow == Switch::off) {
+        return false;
+    }
+    constexpr double margin = 12.0;
+    return scene.solver.secondary_flow == Switch::on ||
+           std::any_of(forecast.facts.begin(), forecast.facts.end(), [&](const RowFacts& facts) {
+               return margin * facts.end_flow_share > scene.solver.accuracy;
+           });
+}
+
 std::string why_radial(const Scene& scene) {
     struct Reason {
         std::string operator()(const geometry::ConcentricCylinders&) const {
@@ -98,8 +111,11 @@ Choice choose(const Scene& scene, const Forecast& forecast, bool transient) {
     }
     if (is_din_bob(scene) && asked != Model::radial) {
         return {"axisymmetric",
-                fmt::format("The flow around a DIN bob's ends is axisymmetric: one unknown, the "
-                            "angular velocity w(r, z), in the whole section; {}.",
+                fmt::format("The flow around a DIN bob's ends is axisymmetric: {}, in the whole "
+                            "section; {}.",
+                            needs_secondary_flow(scene, forecast)
+                                ? "the angular velocity w(r, z) and the secondary flow u_r, u_z, p"
+                                : "one unknown, the angular velocity w(r, z)",
                             why_transient(scene, forecast, transient)),
                 true, false};
     }
@@ -114,10 +130,6 @@ std::vector<std::string> choice_warnings(const Scene& scene, const Choice& choic
         warnings.emplace_back("The radial model is an explicit choice for this DIN bob: it ignores "
                               "the flow around cone, top and shaft and its inertia, and takes them "
                               "as a factor c_L on the endless bob's torque.");
-    }
-    if (choice.model == "axisymmetric" && scene.solver.secondary_flow == Switch::on) {
-        warnings.emplace_back("secondary_flow = true: this version solves the swirl alone; the "
-                              "estimate of the secondary flow goes to the error bars.");
     }
     if (choice.is_radial && scene.solver.secondary_flow == Switch::on) {
         warnings.emplace_back(
@@ -140,8 +152,11 @@ Plan make_plan(const Scene& scene) {
                         "converted, but nothing in this version solves the flow around it";
     }
     plan.can_be_solved = choice.can_be_solved;
-    plan.items =
-        plan_items(scene, forecast, {.radial = choice.is_radial, .transient = plan.transient});
+    plan.secondary_flow = choice.can_be_solved && needs_secondary_flow(scene, forecast);
+    plan.items = plan_items(scene, forecast,
+                            {.radial = choice.is_radial,
+                             .transient = plan.transient,
+                             .secondary_flow = plan.secondary_flow});
     plan.warnings = choice_warnings(scene, choice);
     for (std::string& warning : plan_warnings(scene, forecast)) {
         plan.warnings.push_back(std::move(warning));

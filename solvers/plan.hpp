@@ -52,6 +52,8 @@ struct Plan {
     std::string model; ///< "radial steady", "radial transient", "axisymmetric", ...
     std::string model_reason;
     bool transient{};
+    /// The flow in r and z around a DIN bob's ends is solved for, too.
+    bool secondary_flow{};
     bool can_be_solved =
         true; ///< false: nothing in this program solves it yet; model_reason says why
     std::vector<PlanItem> items;

@@ -195,9 +195,21 @@ private:
 
 } // namespace
 
-double end_flow_share(double reynolds) {
-    constexpr double share_of_ends = 0.1;
-    return share_of_ends * std::min(1.0, reynolds * reynolds / 1200.0);
+double end_flow_share(const geometry::DinBob& bob, double reynolds) {
+    // M / M_creeping - 1 of the ISO bob: Re^2 at first, Re^0.8 where boundary layers form.
+    constexpr double slow = 9.7e-7;
+    constexpr double turning_point = 185.0;
+    constexpr double exponent = 0.6;
+    const double iso = slow * reynolds * reynolds /
+                       std::pow(1.0 + std::pow(reynolds / turning_point, 2), exponent);
+    // The torque of the cylinder over that of the ISO one, both over R^3.
+    constexpr double iso_ratio = 1.0847;
+    constexpr double iso_length = 3.0;
+    const auto narrowness = [](double ratio) { return 1.0 - 1.0 / (ratio * ratio); };
+    const double cylinder =
+        bob.length_ratio / iso_length * narrowness(iso_ratio) / narrowness(bob.radius_ratio());
+    const double extra = iso / cylinder;
+    return extra / (1.0 + extra);
 }
 
 Forecast forecast(const Scene& scene) {
@@ -256,7 +268,8 @@ Forecast forecast(const Scene& scene) {
                 }
             }
             if (has_ends) {
-                facts.end_flow_share = end_flow_share(facts.end_reynolds);
+                facts.end_flow_share = end_flow_share(std::get<geometry::DinBob>(scene.instrument),
+                                                      facts.end_reynolds);
                 row.end_flow_share = facts.end_flow_share;
             }
             facts.definition_error =

@@ -32,10 +32,10 @@ struct Forecast {
 /// Steady flow, inertia, stability and regime of every row.
 [[nodiscard]] Forecast forecast(const Scene& scene);
 
-/// End flow: estimated part of a bob's torque that is secondary flow at its ends. The torque of a
-/// sphere turning in a fluid at rest grows as 1 + Re^2 / 1200 (Collins 1955, Mathematika 2, 42);
-/// a tenth of the torque of a bob of standard proportions comes from its ends.
+/// End flow: estimated part of a bob's torque that is secondary flow at its ends. A fit to the
+/// solved flow of a Newtonian fluid around the ISO 3219 bob (docs/secondary-flow.md), within 8 % of
+/// it for Re 0 ... 1500; other gaps and lengths by the torque of the cylinder.
 /// @param reynolds  omega R_bob^2 / nu
-[[nodiscard]] double end_flow_share(double reynolds);
+[[nodiscard]] double end_flow_share(const geometry::DinBob& bob, double reynolds);
 
 } // namespace searle::solvers

@@ -62,7 +62,25 @@ PlanItem ends_item(const Scene& scene, const Forecast& forecast, PlannedModel mo
                     slenderness(scene.instrument), end_factor)};
 }
 
-PlanItem secondary_flow_item(const Scene& scene, const Forecast& forecast) {
+std::string secondary_flow_decision(const Scene& scene, bool is_solved) {
+    switch (scene.solver.secondary_flow) {
+    case Switch::on:
+        return is_solved ? "secondary_flow = true asks for it"
+                         : "the radial model has no place for it";
+    case Switch::off:
+        return "secondary_flow = false leaves it out";
+    case Switch::automatic:
+        break;
+    }
+    if (scene.solver.model == Model::radial) {
+        return "the radial model leaves it out";
+    }
+    return is_solved ? fmt::format("that matters at the asked {}", percent(scene.solver.accuracy))
+                     : fmt::format("three times that goes to the error, small against the asked {}",
+                                   percent(scene.solver.accuracy));
+}
+
+PlanItem secondary_flow_item(const Scene& scene, const Forecast& forecast, bool is_solved) {
     if (is_box(scene)) {
         return {"secondary flow", false, "Plane shear has straight streamlines."};
     }
@@ -74,12 +92,11 @@ PlanItem secondary_flow_item(const Scene& scene, const Forecast& forecast) {
     const std::size_t worst =
         row_of_largest(forecast, [&](std::size_t i) { return forecast.facts[i].end_reynolds; });
     const RowFacts& facts = forecast.facts[worst];
-    return {
-        "secondary flow", false,
-        fmt::format("The bob's ends drive it with Re = omega R^2 / nu = {:.4g} at the most, "
-                    "worth about {} of the torque (a sphere's inertial correction, Re^2 / 1200, "
-                    "on a tenth of the torque).",
-                    facts.end_reynolds, percent(facts.end_flow_share))};
+    return {"secondary flow", is_solved,
+            fmt::format("The bob's ends drive it with Re = omega R^2 / nu = {:.4g} at the most, "
+                        "worth about {} of the torque (a fit to the ISO bob's); {}.",
+                        facts.end_reynolds, percent(facts.end_flow_share),
+                        secondary_flow_decision(scene, is_solved))};
 }
 
 PlanItem taylor_item(const Forecast& forecast) {
@@ -142,7 +159,7 @@ std::vector<PlanItem> plan_items(const Scene& scene, const Forecast& forecast, P
     return {inertia_item(scene, forecast, model.transient),
             yield_item(scene, forecast),
             taylor_item(forecast),
-            secondary_flow_item(scene, forecast),
+            secondary_flow_item(scene, forecast, model.secondary_flow),
             ends_item(scene, forecast, model),
             mesh_item(model),
             {"particles", false, "The case has no particles: a fluid of 0 % solids."}};

@@ -11,6 +11,7 @@ namespace searle::solvers {
 struct PlannedModel {
     bool radial = true;
     bool transient{};
+    bool secondary_flow{};
 };
 
 /// What the plan solves and what it skips, each with its number.

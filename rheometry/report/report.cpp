@@ -2,6 +2,7 @@
 
 #include "rheometry/report/data_table.hpp"
 #include "rheometry/report/deviation.hpp"
+#include "rheometry/report/end_effect_figure.hpp"
 #include "rheometry/report/field_figures.hpp"
 #include "rheometry/report/flow_curve_figures.hpp"
 #include "rheometry/report/flow_series.hpp"
@@ -43,6 +44,18 @@ std::string range_text(const Rheogram& rheogram, Quantity quantity, bool rotates
     return (from == to ? to : from + (low < 0.0 ? " to " : " \u2013 ") + to) + "\u00a0" + unit.name;
 }
 
+std::string end_factor_phrase(const ReportInput& input) {
+    const std::string symbol = "<i>c</i><sub>L</sub>";
+    if (!input.conversion.end_factor_provisional || input.ends.empty()) {
+        return "end-effect factor " + symbol + " = " + significant(input.conversion.end_factor, 6);
+    }
+    const auto [least, most] = std::ranges::minmax_element(input.ends, {}, &EndEffect::end_factor);
+    const std::string from = significant(least->end_factor, 5);
+    const std::string to = significant(most->end_factor, 5);
+    return "the end-effect factor " + symbol + " computed for each speed (" + from +
+           (from == to ? "" : " \u2013 " + to) + ")";
+}
+
 std::string lead_paragraph(const ReportInput& input) {
     std::string fluid =
         input.fluid.model.empty() ? "a fluid" : "a " + fluid_phrase(input.fluid.model);
@@ -55,9 +68,8 @@ std::string lead_paragraph(const ReportInput& input) {
     out += ". ";
     if (geometry::rotates(input.instrument)) {
         out += "Shear rates and stresses are those of the convention <b class=\"name\">" +
-               std::string{name_of(input.conversion.definition)} +
-               "</b> with end-effect factor <i>c</i><sub>L</sub> = " +
-               significant(input.conversion.end_factor, 6) + ".";
+               std::string{name_of(input.conversion.definition)} + "</b> with " +
+               end_factor_phrase(input) + ".";
     } else {
         out += "The shear stress is force over wall area, the shear rate wall speed over gap.";
     }
@@ -116,6 +128,9 @@ std::string render_report(const ReportInput& input) {
     body += figure_html(viscosity_figure(input), ++figure);
     body += figure_html(torque_figure(input), ++figure);
     body += figure_html(error_figure(input), ++figure);
+    if (!input.ends.empty()) {
+        body += figure_html(end_effect_figure(input), ++figure);
+    }
     body += "</div>\n";
 
     if (const std::vector<Figure> pictures = field_figures(input); !pictures.empty()) {

@@ -2,6 +2,7 @@
 
 #include "geometry/instrument.hpp"
 #include "rheometry/conversion/conversion.hpp"
+#include "rheometry/end_effect.hpp"
 #include "rheometry/fields/section_fields.hpp"
 #include "rheometry/rheogram.hpp"
 
@@ -121,6 +122,8 @@ struct ReportInput {
     std::string csv{};
     std::string csv_file_name = "rheogram.csv";
 
+    /// End factors of the creeping flow at the rows; empty: they were not solved for.
+    std::vector<EndEffect> ends{};
     /// The flow in the section at some rows, in order; empty: none was asked for.
     std::vector<fields::SectionFields> fields{};
 };

@@ -111,12 +111,25 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
     std::vector<rheometry::TorqueRow>& rows = solution.history.rows;
     try {
         const std::vector<double> speeds = speeds_of(plan);
+        const double rate_per_speed =
+            rheometry::conversion_for(scene.instrument, scene.conversion).rate_per_speed;
         const EndFactorCurve ends(bob, scene.fluid.law, speeds, 0.5 * accuracy, progress);
         for (const RowForecast& forecast : plan.rows) {
             const EndFactorCurve::Value value =
                 forecast.speed == 0.0 ? EndFactorCurve::Value{} : ends.at(forecast.speed);
             rows.push_back(steady_row(scene, forecast, value));
             report.end_factor.push_back(value.end_factor);
+            if (forecast.speed != 0.0) {
+                const auto bound = [](double each) {
+                    return each > 0.0 ? each : std::numeric_limits<double>::quiet_NaN();
+                };
+                report.ends.push_back({.speed = forecast.speed,
+                                       .shear_rate = rate_per_speed * forecast.speed,
+                                       .end_factor = value.end_factor,
+                                       .error = value.end_factor * value.relative_error,
+                                       .lower = bound(value.lower),
+                                       .upper = bound(value.upper)});
+            }
         }
         solution.refinements = ends.levels();
         solution.linear_solves = ends.newton_steps();
@@ -177,10 +190,7 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
             solution.interrupted = true;
         }
     }
-    const bool counts_secondary_flow = scene.solver.secondary_flow == Switch::on ||
-                                       (scene.solver.secondary_flow == Switch::automatic &&
-                                        scene.solver.model == Model::automatic);
-    if (counts_secondary_flow) {
+    if (!plan.secondary_flow && scene.solver.secondary_flow == Switch::automatic) {
         add_end_flow(plan, rows);
     }
 
@@ -196,19 +206,6 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
         }
     }
     solution.reached = solution.worst_relative_error <= accuracy;
-    if (counts_secondary_flow && !solution.reached) {
-        double share = 0.0;
-        for (const RowForecast& row : plan.rows) {
-            share = std::max(share, row.end_flow_share);
-        }
-        if (share > accuracy / left_out_margin) {
-            solution.notes.push_back(fmt::format(
-                "Secondary flow at the bob's ends is estimated at up to {:.3g} % of the torque and "
-                "is not solved by this version: the rows' errors include three times the estimate. "
-                "secondary_flow = false asks for swirl alone.",
-                100.0 * share));
-        }
-    }
     return report;
 }
 

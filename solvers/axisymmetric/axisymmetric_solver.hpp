@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rheometry/end_effect.hpp"
 #include "solvers/plan.hpp"
 #include "solvers/progress.hpp"
 #include "solvers/radial/radial_solver.hpp"
@@ -14,6 +15,8 @@ struct AxisymmetricReport {
     radial::RadialReport solution;
     /// c_L of the creeping flow at the row's speed; 1 at rest. One per row.
     std::vector<double> end_factor;
+    /// The same with errors and bounds, of the rows that turn.
+    std::vector<rheometry::EndEffect> ends;
 };
 
 /// Torque history of a DIN bob with its ends, swirl only: steady rows of any flow law, and a

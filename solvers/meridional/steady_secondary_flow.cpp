@@ -14,8 +14,8 @@ namespace {
 constexpr std::array<FlowResolution, 7> resolutions{
     {{.degree = 3, .smallest = 5e-2, .largest = 0.5, .beside = 8.0},
      {.degree = 4, .smallest = 5e-2, .largest = 0.5, .beside = 8.0},
-     {.degree = 5, .smallest = 5e-2, .largest = 0.5, .beside = 4.0},
-     {.degree = 7, .smallest = 5e-2, .largest = 0.5, .beside = 4.0},
+     {.degree = 5, .smallest = 5e-2, .largest = 0.5, .beside = 2.0},
+     {.degree = 7, .smallest = 5e-2, .largest = 0.5, .beside = 2.0},
      {.degree = 7, .smallest = 1e-2, .largest = 0.25, .beside = 2.0},
      {.degree = 9, .smallest = 1e-2, .largest = 0.25, .beside = 2.0},
      {.degree = 10, .smallest = 1e-3, .largest = 0.125, .beside = 1.0}}};

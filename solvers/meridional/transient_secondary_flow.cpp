@@ -16,19 +16,17 @@ namespace searle::solvers::meridional {
 namespace {
 
 constexpr std::array<FlowResolution, 6> resolutions{
-    {{.degree = 4, .smallest = 5e-2, .largest = 0.5, .beside = 4.0},
-     {.degree = 5, .smallest = 5e-2, .largest = 0.5, .beside = 4.0},
-     {.degree = 6, .smallest = 5e-2, .largest = 0.5, .beside = 4.0},
-     {.degree = 7, .smallest = 1e-2, .largest = 0.25, .beside = 2.0},
+    {{.degree = 4, .smallest = 5e-2, .largest = 0.5, .beside = 2.0},
+     {.degree = 5, .smallest = 5e-2, .largest = 0.5, .beside = 2.0},
+     {.degree = 6, .smallest = 5e-2, .largest = 0.5, .beside = 2.0},
+     {.degree = 8, .smallest = 1e-2, .largest = 0.5, .beside = 2.0},
      {.degree = 9, .smallest = 2e-3, .largest = 0.25, .beside = 2.0},
      {.degree = 10, .smallest = 5e-4, .largest = 0.125, .beside = 1.0}}};
 /// Tolerance of a step on the first level over the accuracy, and what it falls by with each level.
 constexpr double first_tolerance = 0.3;
 constexpr double tolerance_fall = 0.3;
-/// Rounding of the yield surface on the first level, halved on each further one, and of laws that
-/// have none.
-constexpr double first_yield_rounding = 2e-2;
-constexpr double smooth_rounding = 1e-5;
+/// Of the corner that a power law has at rest, over the rate at the wall at the fastest speed.
+constexpr double rounding = 1e-5;
 /// At least this share of a row's last change counts as its error.
 constexpr double least_share = 0.25;
 /// Torques are judged against themselves, or against this share of the largest one.
@@ -91,8 +89,6 @@ TransientTorque transient_secondary_flow(const geometry::DinBob& bob,
     };
     const double wall_rate = wall_rate_at(reference_speed);
     SteadySecondaryFlow steady(bob, law, density, accuracy);
-    const bool yields = laws::flow::yield_stress(law) > 0.0;
-    double rounding = yields ? first_yield_rounding : smooth_rounding;
     double tolerance = first_tolerance * accuracy;
     std::vector<double> change_before;
     const std::size_t rows = history.row_times.size();
@@ -151,7 +147,6 @@ TransientTorque transient_secondary_flow(const geometry::DinBob& bob,
             if (result.reached) {
                 break;
             }
-            rounding *= yields ? 0.5 : 1.0;
             tolerance *= tolerance_fall;
         }
     } catch (const Interrupted&) {

@@ -28,6 +28,8 @@ struct TransientTorque {
 
 /// Runs the history on finer and finer levels, in space and in time together, until two of them
 /// agree to the accuracy (docs/secondary-flow.md).
+/// @param law       without a yield stress: a rounded yield surface would be no answer while the
+///                  rotor is slow
 /// @param density   kg/m^3, > 0
 /// @param accuracy  asked-for relative error of the torque, > 0
 [[nodiscard]] TransientTorque

@@ -27,7 +27,8 @@ TEST(FieldFiles, fields_of_a_din_bob_are_written_drawn_and_drawn_again) {
                 "output.field_rows=2", "--set", "solver.accuracy=0.01"},
                folder.path());
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_EQ(names_in(folder / "out"), "case.toml fields report.html rheogram.csv summary.json");
+    EXPECT_EQ(names_in(folder / "out"),
+              "case.toml end_factor.csv fields report.html rheogram.csv summary.json");
     EXPECT_EQ(names_in(folder / "out/fields"), "row-0010.vtu row-0020.vtu rows.pvd");
     const auto section =
         searle::rheometry::fields::read_vtu_text(text_of(folder / "out/fields/row-0020.vtu"));

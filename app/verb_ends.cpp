@@ -1,0 +1,94 @@
+#include "app/verb_ends.hpp"
+
+#include "app/case_reader.hpp"
+#include "app/ends_as_json.hpp"
+#include "app/exit_code.hpp"
+#include "app/fit_options.hpp"
+#include "app/interrupt.hpp"
+#include "app/progress_line.hpp"
+#include "app/result_folder.hpp"
+#include "app/solved_case.hpp"
+#include "solvers/axisymmetric/end_effect_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string_view>
+
+namespace searle::app {
+namespace {
+
+using rheometry::EndEffect;
+using solvers::axisymmetric::EndEffectTable;
+
+std::string as_text(const EndEffectTable& table, const Case& source) {
+    std::string text = fmt::format(
+        "End factor c_L of the creeping flow: {}, {}\n\n{:>14} {:>12} {:>12} {:>9}   {}\n",
+        geometry::name_of(source.scene.instrument), laws::flow::name_of(source.scene.fluid.law),
+        "speed, rad/s", "rate, 1/s", "c_L", "+-", "energy bounds");
+    for (const EndEffect& row : table.rows)
+        text +=
+            fmt::format("{:>14.6g} {:>12.6g} {:>12.6f} {:>9.1e}   {:.6f} ... {:.6f}\n", row.speed,
+                        row.shear_rate, row.end_factor, row.error, row.lower, row.upper);
+    return text;
+}
+
+std::vector<double> speeds_of(const EndsOptions& options, const solvers::Scene& scene) {
+    if (!options.rates) {
+        std::vector<double> rows;
+        for (const solvers::RowForecast& row : solvers::make_plan(scene).rows)
+            rows.push_back(row.speed);
+        return solvers::axisymmetric::speeds_for_table(rows);
+    }
+    const double rate_per_speed =
+        rheometry::conversion_for(scene.instrument, scene.conversion).rate_per_speed;
+    std::vector<double> speeds;
+    for (const double rate : rates_of(*options.rates, "--rates"))
+        speeds.push_back(rate / rate_per_speed);
+    return speeds;
+}
+
+} // namespace
+
+int ends(const EndsOptions& options) {
+    const Case source = read_case(options.case_file, options.overrides);
+    if (!std::holds_alternative<geometry::DinBob>(source.scene.instrument))
+        throw EngineMissing(
+            fmt::format("{}: geometry.type: a {} is a slice without ends; a din-bob has them",
+                        source.file.string(), geometry::name_of(source.scene.instrument)));
+    const std::vector<double> speeds = speeds_of(options, source.scene);
+    EndEffectTable table;
+    {
+        const InterruptWatch watch;
+        ProgressLine line(options.quiet);
+        table = solvers::axisymmetric::end_effect_table(
+            source.scene, speeds, [&](double fraction, std::string_view stage) {
+                if (watch.requested())
+                    throw solvers::Interrupted();
+                line.show(fraction, stage);
+            });
+    }
+    const std::string text = options.json  ? ends_as_json(table, source)
+                             : options.csv ? rheometry::end_effect_csv(table.rows)
+                                           : as_text(table, source);
+    if (options.output)
+        replace_file(*options.output, text);
+    else
+        std::fwrite(text.data(), 1, text.size(), stdout);
+    if (table.interrupted) {
+        std::fputs(fmt::format("searle: interrupted: {} of {} speeds were finished\n",
+                               table.rows.size(), speeds.size())
+                       .c_str(),
+                   stderr);
+        return ExitCode::interrupted;
+    }
+    if (!table.reached)
+        std::fputs(fmt::format("searle: the asked accuracy of {:.3g} % was not reached at every "
+                               "speed; the errors say where\n",
+                               100.0 * source.scene.solver.accuracy)
+                       .c_str(),
+                   stderr);
+    return table.reached ? ExitCode::done : ExitCode::not_reached;
+}
+
+} // namespace searle::app

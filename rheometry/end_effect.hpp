@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace searle::rheometry {
+
+/// c_L of the creeping flow at one speed: the torque of the whole instrument over that of the same
+/// length of an endless one.
+struct EndEffect {
+    double speed{};      ///< rad/s
+    double shear_rate{}; ///< 1/s, at the conversion's definition
+    double end_factor{}; ///< c_L
+    double error{};      ///< estimate of its numerical error, absolute
+    /// Bounds of c_L from the energies, nan where it was interpolated between other speeds.
+    double lower{};
+    double upper{};
+};
+
+/// Columns: angular_velocity_rad_s, shear_rate_1_s, end_factor, end_factor_error,
+/// end_factor_lower_bound, end_factor_upper_bound; 17 significant digits.
+[[nodiscard]] std::string end_effect_csv(const std::vector<EndEffect>& rows);
+
+/// Reads what end_effect_csv wrote. Throws TableError.
+[[nodiscard]] std::vector<EndEffect> read_end_effect_csv(const std::filesystem::path& file);
+
+} // namespace searle::rheometry

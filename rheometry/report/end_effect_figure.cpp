@@ -1,0 +1,56 @@
+#include "rheometry/report/end_effect_figure.hpp"
+
+#include "rheometry/report/number_text.hpp"
+#include "rheometry/report/rich_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace searle::rheometry::report {
+
+Figure end_effect_figure(const ReportInput& input) {
+    Series computed;
+    computed.name = RichText{"computed, creeping flow"};
+    computed.marker = Marker::circle;
+    for (const EndEffect& row : input.ends) {
+        computed.x.push_back(std::abs(row.shear_rate));
+        computed.y.push_back(row.end_factor);
+        computed.error.push_back(row.error);
+    }
+    computed.tip = [&ends = input.ends](std::size_t k) {
+        std::string text = "\u03b3\u0307 = " + quantity_text(ends[k].shear_rate, "1/s", 4) +
+                           "\nc_L = " + rounded_to_error(ends[k].end_factor, ends[k].error);
+        if (std::isfinite(ends[k].lower)) {
+            text += "\nbetween " + significant(ends[k].lower, 6) + " and " +
+                    significant(ends[k].upper, 6);
+        }
+        return text;
+    };
+    const auto [low, high] = std::minmax_element(computed.x.begin(), computed.x.end());
+    Series used;
+    used.name = RichText{"used for the conversion"};
+    used.colour = 1;
+    used.stroke = Stroke::dashed;
+    used.x = {*low, *high};
+    used.y = {input.conversion.end_factor, input.conversion.end_factor};
+
+    Plot plot;
+    plot.id = "end-factor";
+    plot.title = "End factor over shear rate";
+    plot.x.name.upright("Shear rate ").italic("\u03b3\u0307").upright(" (1/s)");
+    plot.x.scale = *high > 20.0 * *low ? Scale::logarithmic : Scale::linear;
+    plot.y.name.upright("End factor ").italic("c").subscript("L");
+    plot.y.reach_for_zero = 0.0;
+    plot.series.push_back(std::move(computed));
+    if (!input.conversion.end_factor_provisional) {
+        plot.series.push_back(std::move(used));
+    }
+    FigureBuilder builder;
+    builder.add(std::move(plot));
+    return builder.finish(
+        "End factor <i>c</i><sub>L</sub>: the torque of the whole bob over that of the same length "
+        "of an endless one, for this fluid without inertia and secondary flow. Numbers and energy "
+        "bounds: <code>end_factor.csv</code>.");
+}
+
+} // namespace searle::rheometry::report

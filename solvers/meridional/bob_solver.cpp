@@ -1,0 +1,140 @@
+#include "solvers/meridional/bob_solver.hpp"
+
+#include "rheometry/schedule.hpp"
+#include "solvers/meridional/inertia_factor_curve.hpp"
+#include "solvers/meridional/transient_secondary_flow.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace searle::solvers::meridional {
+namespace {
+
+using axisymmetric::AxisymmetricReport;
+
+/// Share of the accuracy that the creeping flow's torque may use where a factor multiplies it.
+constexpr double factor_share = 0.5;
+
+/// Where time is left out of the secondary flow (a yield-stress fluid in a ramp), this share of
+/// what the steady secondary flow adds is claimed as error.
+constexpr double unsteady_share = 0.5;
+
+void judge(radial::RadialReport& solution, double accuracy) {
+    double largest = 0.0;
+    for (const rheometry::TorqueRow& row : solution.history.rows) {
+        largest = std::max(largest, std::abs(row.torque));
+    }
+    solution.worst_relative_error = 0.0;
+    for (const rheometry::TorqueRow& row : solution.history.rows) {
+        const double scale = std::max(std::abs(row.torque), 1e-3 * largest);
+        if (scale > 0.0) {
+            solution.worst_relative_error =
+                std::max(solution.worst_relative_error, row.torque_error / scale);
+        }
+    }
+    solution.reached = solution.worst_relative_error <= accuracy;
+}
+
+/// Multiplies the torques (not of rows that a transient run has filled) and the end factors.
+/// @param delay_share  of what secondary flow adds, for not following it in time
+void apply_factors(const Scene& scene, AxisymmetricReport& report, bool fills_torque,
+                   double delay_share, const ProgressSink& progress) {
+    const auto& bob = std::get<geometry::DinBob>(scene.instrument);
+    std::vector<rheometry::TorqueRow>& rows = report.solution.history.rows;
+    std::vector<double> speeds;
+    for (const rheometry::TorqueRow& row : rows) {
+        speeds.push_back(row.speed);
+    }
+    const InertiaFactorCurve curve(bob, scene.fluid.law, scene.fluid.density, speeds,
+                                   factor_share * scene.solver.accuracy, progress);
+    double largest = 1.0;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        if (rows[k].speed == 0.0) {
+            continue;
+        }
+        const InertiaFactor found = curve.at(rows[k].speed);
+        largest = std::max(largest, found.factor);
+        report.end_factor[k] *= found.factor;
+        rows[k].steady_torque *= found.factor;
+        if (fills_torque) {
+            rows[k].torque *= found.factor;
+            rows[k].torque_error = rows[k].torque_error * found.factor +
+                                   (found.relative_error + delay_share * (found.factor - 1.0)) *
+                                       std::abs(rows[k].torque);
+        }
+    }
+    radial::RadialReport& solution = report.solution;
+    solution.refinements = std::max(solution.refinements, curve.levels());
+    solution.unknowns = std::max(solution.unknowns, curve.unknowns());
+    solution.linear_solves += curve.factorisations();
+    solution.notes.push_back(
+        fmt::format("Secondary flow multiplies the steady torque by up to {:.6g} ({} solution{} of "
+                    "the flow with inertia).",
+                    largest, curve.solutions(), curve.solutions() == 1 ? "" : "s"));
+}
+
+/// Fills the rows from a run in time.
+void run_in_time(const Scene& scene, const rheometry::SpeedHistory& history,
+                 AxisymmetricReport& report, const ProgressSink& progress) {
+    radial::RadialReport& solution = report.solution;
+    std::vector<rheometry::TorqueRow>& rows = solution.history.rows;
+    const TransientTorque run =
+        transient_secondary_flow(std::get<geometry::DinBob>(scene.instrument), scene.fluid.law,
+                                 scene.fluid.density, history, scene.solver.accuracy, progress);
+    rows.resize(std::min(rows.size(), run.torque.size()));
+    report.end_factor.resize(rows.size());
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        rows[k].torque = run.torque[k];
+        rows[k].torque_error = run.error[k];
+    }
+    solution.transient = true;
+    solution.refinements = run.levels;
+    solution.elements = run.elements;
+    solution.time_steps = run.time_steps;
+    solution.unknowns = run.unknowns;
+    solution.linear_solves = run.linear_solves;
+    solution.interrupted = run.interrupted;
+    solution.reached = run.reached;
+    solution.worst_relative_error = run.worst_relative_error;
+    if (!run.stopped.empty()) {
+        solution.notes.push_back(fmt::format("The run ends early: {}.", run.stopped));
+    }
+}
+
+} // namespace
+
+AxisymmetricReport solve_bob(const Scene& scene, const Plan& plan, const ProgressSink& progress) {
+    AxisymmetricReport report = axisymmetric::solve_axisymmetric(scene, plan, progress);
+    if (!plan.secondary_flow || report.solution.interrupted) {
+        return report;
+    }
+    const rheometry::Conversion conversion =
+        rheometry::conversion_for(scene.instrument, scene.conversion);
+    const auto schedule = rheometry::schedule(scene.protocol, conversion);
+    const auto* history = std::get_if<rheometry::SpeedHistory>(&schedule);
+    const bool yields = laws::flow::yield_stress(scene.fluid.law) > 0.0;
+    const bool in_time = history != nullptr && plan.transient && !yields;
+    const double delay_share = history != nullptr && plan.transient ? unsteady_share : 0.0;
+    try {
+        if (!in_time || conversion.end_factor_provisional) {
+            apply_factors(scene, report, !in_time, delay_share, progress);
+        }
+    } catch (const Interrupted&) {
+        // The swirl's torques are no result of the case that asked for more.
+        report.solution.history.rows.clear();
+        report.end_factor.clear();
+        report.solution.interrupted = true;
+        report.solution.reached = false;
+        return report;
+    }
+    if (in_time) {
+        run_in_time(scene, *history, report, progress);
+    } else {
+        judge(report.solution, scene.solver.accuracy);
+    }
+    return report;
+}
+
+} // namespace searle::solvers::meridional

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "solvers/axisymmetric/axisymmetric_solver.hpp"
+
+namespace searle::solvers::meridional {
+
+/// Torque history of a DIN bob with its ends: the swirl of solve_axisymmetric, and where the plan
+/// says so the secondary flow (u_r, u_z, p) with it (docs/secondary-flow.md). Steady rows: the
+/// creeping flow's torque times what secondary flow adds at that speed. Rows in time, where the
+/// plan found inertia: one run of the whole flow.
+/// @param scene  whose instrument is a DinBob
+[[nodiscard]] axisymmetric::AxisymmetricReport solve_bob(const Scene& scene, const Plan& plan,
+                                                         const ProgressSink& progress);
+
+} // namespace searle::solvers::meridional

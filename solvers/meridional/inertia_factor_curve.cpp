@@ -1,0 +1,110 @@
+#include "solvers/meridional/inertia_factor_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace searle::solvers::meridional {
+namespace {
+
+constexpr std::size_t most_direct = 6;
+constexpr int first_degree = 4;
+constexpr int last_degree = 32;
+/// Of the accuracy: what each solution and what interpolation may miss where both count.
+constexpr double solution_share = 0.5;
+constexpr double interpolation_share = 0.3;
+
+} // namespace
+
+InertiaFactorCurve::InertiaFactorCurve(const geometry::DinBob& bob,
+                                       const laws::flow::AnyFlowLaw& law, double density,
+                                       std::span<const double> speeds, double accuracy,
+                                       const ProgressSink& progress)
+    : flow_(bob, law, density, solution_share * accuracy) {
+    std::set<double> distinct;
+    for (const double speed : speeds) {
+        if (speed != 0.0) {
+            distinct.insert(std::abs(speed));
+        }
+    }
+    if (distinct.size() <= most_direct) {
+        for (const double speed : distinct) {
+            solve(speed, progress);
+        }
+        return;
+    }
+    interpolates_ = true;
+    const double low = std::log(*distinct.begin());
+    const double high = std::log(*distinct.rbegin());
+    const auto point = [&](int k, int degree) {
+        return std::exp(0.5 * (low + high) -
+                        0.5 * (high - low) * std::cos(std::numbers::pi * k / degree));
+    };
+    for (int k = 0; k <= first_degree; ++k) {
+        solve(point(k, first_degree), progress);
+    }
+    for (int degree = 2 * first_degree; degree <= last_degree; degree *= 2) {
+        std::vector<std::pair<double, double>> foreseen;
+        for (int k = 1; k < degree; k += 2) {
+            foreseen.emplace_back(point(k, degree), interpolated(point(k, degree)));
+        }
+        interpolation_error_ = 0.0;
+        for (const auto& [speed, factor] : foreseen) {
+            solve(speed, progress);
+            interpolation_error_ =
+                std::max(interpolation_error_, std::abs(factor / solved_.at(speed).factor - 1.0));
+        }
+        if (interpolation_error_ <= interpolation_share * accuracy) {
+            break;
+        }
+    }
+}
+
+void InertiaFactorCurve::solve(double speed, const ProgressSink& progress) {
+    const InertiaFactor found = flow_.at(speed, progress);
+    levels_ = std::max(levels_, found.levels);
+    unknowns_ = std::max(unknowns_, found.unknowns);
+    solved_[speed] = found;
+}
+
+/// Barycentric formula on Chebyshev points of the second kind, in ln speed.
+double InertiaFactorCurve::interpolated(double speed) const {
+    double above = 0.0;
+    double below = 0.0;
+    std::size_t k = 0;
+    for (const auto& [at, found] : solved_) {
+        const double distance = std::log(speed / at);
+        if (std::abs(distance) < 1e-13) {
+            return found.factor;
+        }
+        const bool at_end = k == 0 || k + 1 == solved_.size();
+        const double weight = (k % 2 == 0 ? 1.0 : -1.0) * (at_end ? 0.5 : 1.0) / distance;
+        above += weight * std::log(found.factor);
+        below += weight;
+        ++k;
+    }
+    return std::exp(above / below);
+}
+
+InertiaFactor InertiaFactorCurve::at(double speed) const {
+    const double magnitude = std::abs(speed);
+    if (!interpolates_) {
+        return solved_.at(magnitude);
+    }
+    // The two solutions around the speed tell how accurate it is there.
+    const auto after = solved_.lower_bound(magnitude);
+    InertiaFactor result = after == solved_.end() ? std::prev(after)->second : after->second;
+    if (after != solved_.begin() && after != solved_.end()) {
+        const InertiaFactor& before = std::prev(after)->second;
+        result.relative_error = std::max(result.relative_error, before.relative_error);
+        result.reached = result.reached && before.reached;
+    }
+    result.factor = interpolated(magnitude);
+    result.relative_error += interpolation_error_;
+    return result;
+}
+
+} // namespace searle::solvers::meridional

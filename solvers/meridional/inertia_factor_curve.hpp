@@ -1,0 +1,44 @@
+#pragma once
+
+#include "solvers/meridional/steady_secondary_flow.hpp"
+
+#include <map>
+#include <span>
+
+namespace searle::solvers::meridional {
+
+/// What secondary flow does to the steady torque of one bob and fluid over a range of speeds:
+/// solved at each speed, or for many speeds at Chebyshev points in ln speed, whose number is
+/// doubled until the curve no longer moves.
+class InertiaFactorCurve {
+public:
+    /// @param speeds    rad/s; signs are left out, zeros are skipped
+    /// @param accuracy  asked-for relative error of the torque
+    /// May throw Interrupted.
+    InertiaFactorCurve(const geometry::DinBob& bob, const laws::flow::AnyFlowLaw& law,
+                       double density, std::span<const double> speeds, double accuracy,
+                       const ProgressSink& progress);
+
+    /// At one of the speeds given, != 0.
+    [[nodiscard]] InertiaFactor at(double speed) const;
+
+    [[nodiscard]] std::size_t solutions() const { return solved_.size(); }
+    [[nodiscard]] int levels() const { return levels_; }
+    [[nodiscard]] long unknowns() const { return unknowns_; }
+    [[nodiscard]] long factorisations() const { return flow_.factorisations(); }
+    /// The flow solved for last; its level and speed belong together.
+    [[nodiscard]] SteadySecondaryFlow& flow() { return flow_; }
+
+private:
+    void solve(double speed, const ProgressSink& progress);
+    [[nodiscard]] double interpolated(double speed) const;
+
+    SteadySecondaryFlow flow_;
+    std::map<double, InertiaFactor> solved_;
+    bool interpolates_{};
+    double interpolation_error_{};
+    int levels_{};
+    long unknowns_{};
+};
+
+} // namespace searle::solvers::meridional
