@@ -20,8 +20,9 @@ using particles::ParticleStore;
 constexpr double contact_share = 0.3;   ///< of drag / (2 k_n)
 constexpr double explicit_share = 0.1;  ///< of the particles' relaxation time
 constexpr double rayleigh_share = 0.2;  ///< of the Rayleigh time, explicit steps
+constexpr double colloid_share = 0.5;   ///< of drag / k, k the colloid's largest stiffness: stability
 constexpr double strain_share = 2e-3;   ///< strain within a step
-constexpr double error_share = 5e-4;    ///< displacement error over the range of the forces
+constexpr double error_share = 1e-3;    ///< displacement error over the range of the forces
 constexpr double deepest_share = 0.2;   ///< of the radius: a deeper overlap is no contact any more
 
 double skin_for(const SuspensionInput& input) {
@@ -103,6 +104,20 @@ void InertialMotion::choose_step() {
     double allowed = 1e300;
     double start = free_longest_;
     if (input_.settings.dlvo) {
+        const double stiffness = std::visit(
+            [&]<class Colloid>(const Colloid& colloid) {
+                if constexpr (std::is_same_v<Colloid, particles::NoColloid>)
+                    return 0.0;
+                else
+                    return laws::colloid::dlvo_curve(colloid, least_radius, least_radius)
+                        .largest_stiffness;
+            },
+            colloid_);
+        if (stiffness > 0.0)
+            free_longest_ =
+                std::min(free_longest_, std::min(scale, 1.0) * colloid_share * drag / stiffness);
+        contact_longest_ = std::min(contact_longest_, free_longest_);
+        start = std::min(start, free_longest_);
         const double range = debye_length(*input_.settings.dlvo, input_.settings.temperature);
         allowed = error_share * scale * scale * range;
         // The first steps, before the control knows the forces, are short.
