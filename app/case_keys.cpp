@@ -34,8 +34,7 @@ casefile::Keys<CaseAsWritten> declared_case_keys() {
         .says("Spheres in the fluid between the walls of a box.");
     keys.table("coupling", &CaseAsWritten::coupling, solvers::suspension::coupling_keys())
         .not_in_new()
-        .says(
-"Exchange between particles and fluid; all of it may be left out.");
+        .says("Exchange between particles and fluid; all of it may be left out.");
     keys.table("sweep", &CaseAsWritten::sweep, casefile::sweep_keys())
         .not_in_new()
         .says("Several cases in one file: each run with every combination of the varied values.");

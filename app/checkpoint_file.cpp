@@ -54,9 +54,9 @@ std::string identity(const std::string& case_hash) {
 bool write_text(hid_t file, const char* name, const std::string& text) {
     const hsize_t size = text.size();
     const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
-    const Handle set(H5Dcreate2(file, name, H5T_NATIVE_CHAR, space.id(), H5P_DEFAULT, H5P_DEFAULT,
-                                H5P_DEFAULT),
-                     H5Dclose);
+    const Handle set(
+        H5Dcreate2(file, name, H5T_NATIVE_CHAR, space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+        H5Dclose);
     return set.is_open() &&
            H5Dwrite(set.id(), H5T_NATIVE_CHAR, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) >= 0;
 }
@@ -67,9 +67,8 @@ bool write_column(hid_t file, const std::string& name, const std::vector<double>
     const Handle set(H5Dcreate2(file, name.c_str(), H5T_IEEE_F64LE, space.id(), H5P_DEFAULT,
                                 H5P_DEFAULT, H5P_DEFAULT),
                      H5Dclose);
-    return set.is_open() &&
-           (values.empty() || H5Dwrite(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                                       values.data()) >= 0);
+    return set.is_open() && (values.empty() || H5Dwrite(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL,
+                                                        H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
 }
 
 hssize_t points_in(hid_t set) {
@@ -101,8 +100,8 @@ herr_t collect(hid_t file, const char* name, const H5L_info_t*, void* into) {
     std::vector<double>& column = all.checkpoint.columns()[name];
     column.resize(count);
     if (count > 0)
-        all.damaged |= H5Dread(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                               column.data()) < 0;
+        all.damaged |=
+            H5Dread(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, column.data()) < 0;
     return 0;
 }
 
@@ -146,8 +145,7 @@ void write_checkpoint(const fs::path& file, const Checkpoint& checkpoint,
     fs::remove(beside, ignored);
     throw CheckpointError(fmt::format(
         "{}: the checkpoint could not be written: {}", file.string(),
-        failed ? failed.message()
-               : std::generic_category().message(number == 0 ? EIO : number)));
+        failed ? failed.message() : std::generic_category().message(number == 0 ? EIO : number)));
 }
 
 std::optional<Checkpoint> read_checkpoint(const fs::path& file, const std::string& case_hash) {
@@ -155,9 +153,9 @@ std::optional<Checkpoint> read_checkpoint(const fs::path& file, const std::strin
     if (!fs::exists(file))
         return std::nullopt;
     const auto refuse = [&](const std::string& why) {
-        throw CheckpointError(fmt::format(
-            "{}: {}. Move it away, or start anew with --force (which leaves it aside)",
-            file.string(), why));
+        throw CheckpointError(
+            fmt::format("{}: {}. Move it away, or start anew with --force (which leaves it aside)",
+                        file.string(), why));
     };
     const Handle in(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     if (!in.is_open())

@@ -48,9 +48,8 @@ struct SolvedCase {
 /// Solves and converts. When the progress sink throws solvers::Interrupted the rheogram has the
 /// rows that were finished.
 /// @param checkpointing of a suspension's run
-[[nodiscard]] SolvedCase
-solve_case(PlannedCase planned, const solvers::ProgressSink& progress,
-           const solvers::suspension::Checkpointing& checkpointing = {});
+[[nodiscard]] SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress,
+                                    const solvers::suspension::Checkpointing& checkpointing = {});
 
 [[nodiscard]] Completeness completeness_of(const SolvedCase& solved);
 

@@ -86,8 +86,8 @@ void compare(const Target& target, int seeds, double strain) {
 int main(int argc, char** argv) {
     const int seeds = argc > 1 ? std::atoi(argv[1]) : 3;
     const double strain = argc > 2 ? std::atof(argv[2]) : 4.0;
-    for (const Target& target :
-         {Target{0.3, 0, 2.76, 0.07, 0}, Target{0.4, 0, 5.94, 0.34, 0}, Target{0.5, 0, 15.1, 1.0, 85},
-          Target{0.3, 1, 3.27, 0.11, 0}, Target{0.4, 1, 10.0, 1.5, 0}, Target{0.5, 1, 82, 16, 178}})
+    for (const Target& target : {Target{0.3, 0, 2.76, 0.07, 0}, Target{0.4, 0, 5.94, 0.34, 0},
+                                 Target{0.5, 0, 15.1, 1.0, 85}, Target{0.3, 1, 3.27, 0.11, 0},
+                                 Target{0.4, 1, 10.0, 1.5, 0}, Target{0.5, 1, 82, 16, 178}})
         compare(target, seeds, strain);
 }

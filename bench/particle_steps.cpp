@@ -34,7 +34,8 @@ particles::ShearBox cube_for(double count, double fraction) {
 void contacts_alone(const char* name, double count, double fraction, double squeeze) {
     particles::ShearBox box = cube_for(count, fraction);
     particles::ParticleStore p = particles::random_packing(
-        {.sizes = {{diameter, 1.0}}, .volume_fraction = fraction, .density = density, .seed = 1}, box);
+        {.sizes = {{diameter, 1.0}}, .volume_fraction = fraction, .density = density, .seed = 1},
+        box);
     for (std::size_t i = 0; i < p.size(); ++i) {
         p.radius[i] *= squeeze;
         const double size = 1e-3;
@@ -42,11 +43,11 @@ void contacts_alone(const char* name, double count, double fraction, double sque
         p.vy[i] = size * std::cos(2.0 + 7.0 * static_cast<double>(i));
         p.vz[i] = size * std::sin(3.0 + 3.0 * static_cast<double>(i));
     }
-    const searle::laws::contact::Hooke law{
-        .normal_stiffness = 1e-2,
-        .tangential_stiffness = 2.0 / 7.0 * 1e-2,
-        .damping_ratio = searle::laws::contact::damping_ratio(0.9),
-        .friction = 0.3};
+    const searle::laws::contact::Hooke law{.normal_stiffness = 1e-2,
+                                           .tangential_stiffness = 2.0 / 7.0 * 1e-2,
+                                           .damping_ratio =
+                                               searle::laws::contact::damping_ratio(0.9),
+                                           .friction = 0.3};
     const auto forces = particles::make_pair_forces(law, particles::NoColloid{}, 1);
     particles::NeighbourList list(0.0, (fraction < 0.2 ? 0.3 : 0.1) * 0.5 * diameter);
     list.rebuild(p, box);
@@ -115,11 +116,12 @@ void in_shear(const char* name, double count, double fraction, bool walls, bool 
     const double seconds = cpu_seconds() - start;
     const double steps = static_cast<double>(motion.counts().steps - before);
     const double strain = mean.duration() * rate;
-    std::printf("%-44s %7zu spheres: %6.1f M particle-steps per CPU-s, mean step %.3g s, %.3g CPU-s "
-                "per unit strain\n",
-                name, motion.particles().size(),
-                1e-6 * steps * static_cast<double>(motion.particles().size()) / seconds,
-                mean.duration() / steps, seconds / strain);
+    std::printf(
+        "%-44s %7zu spheres: %6.1f M particle-steps per CPU-s, mean step %.3g s, %.3g CPU-s "
+        "per unit strain\n",
+        name, motion.particles().size(),
+        1e-6 * steps * static_cast<double>(motion.particles().size()) / seconds,
+        mean.duration() / steps, seconds / strain);
 }
 
 } // namespace

@@ -86,11 +86,11 @@ void compare(const char* name, SuspensionInput input, double reference_step) {
         const auto off = [](double value, double right) {
             return right == 0.0 ? 0.0 : 100.0 * (value / right - 1.0);
         };
-        std::printf("    off by: contact %.3g %%, dlvo %.3g %%, hydrodynamic %.3g %%; wall %.3g %%\n",
-                    off(mean.bulk.contact, exact.bulk.contact),
-                    off(mean.bulk.colloid, exact.bulk.colloid),
-                    off(mean.bulk.hydrodynamic, exact.bulk.hydrodynamic),
-                    off(mean.wall.total(), exact.wall.total()));
+        std::printf(
+            "    off by: contact %.3g %%, dlvo %.3g %%, hydrodynamic %.3g %%; wall %.3g %%\n",
+            off(mean.bulk.contact, exact.bulk.contact), off(mean.bulk.colloid, exact.bulk.colloid),
+            off(mean.bulk.hydrodynamic, exact.bulk.hydrodynamic),
+            off(mean.wall.total(), exact.wall.total()));
         std::fflush(stdout);
     }
 }

@@ -52,9 +52,8 @@ struct ConstantPotential : DoubleLayer {
 /// @param ionic_strength mol/m^3, > 0  @param temperature K
 [[nodiscard]] inline double debye_length(double relative_permittivity, double temperature,
                                          double ionic_strength) {
-    return std::sqrt(
-        relative_permittivity * vacuum_permittivity * boltzmann * temperature /
-        (2.0 * avogadro * elementary_charge * elementary_charge * ionic_strength));
+    return std::sqrt(relative_permittivity * vacuum_permittivity * boltzmann * temperature /
+                     (2.0 * avogadro * elementary_charge * elementary_charge * ionic_strength));
 }
 
 } // namespace searle::laws::colloid

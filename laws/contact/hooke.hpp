@@ -8,8 +8,8 @@ namespace searle::laws::contact {
 
 /// Damping of a linear spring-dashpot pair that gives a restitution e:
 /// zeta = -ln e / sqrt(pi^2 + ln^2 e), the dashpot being gamma = 2 zeta sqrt(k m_eff).
-/// It solves e = exp(-pi gamma / sqrt(4 k m_eff - gamma^2)), the speed after over the speed before a
-/// head-on contact that ends when the overlap is back at zero.
+/// It solves e = exp(-pi gamma / sqrt(4 k m_eff - gamma^2)), the speed after over the speed before
+/// a head-on contact that ends when the overlap is back at zero.
 /// @param restitution 0 < e <= 1. Limits: 0 for e = 1, towards 1 (critical) for e -> 0.
 [[nodiscard]] inline double damping_ratio(double restitution) {
     const double loss = -std::log(restitution);

@@ -8,10 +8,11 @@ namespace searle::laws::lubrication {
 
 /// Resistance of the fluid film between two near spheres, the part that grows as they approach
 /// (Jeffrey & Onishi 1984, J. Fluid Mech. 139, 261), lambda = r_2 / r_1, xi = 2 h / (r_1 + r_2):
-///     squeeze  X_A = g_1 / xi + g_2 ln(1/xi),  g_1 = 2 l^2 / (1+l)^3, g_2 = l (1 + 7 l + l^2) / (5 (1+l)^3)
-///     shear    Y_A = 4 l (2 + l + 2 l^2) / (15 (1+l)^3) ln(1/xi)
-///     rotation Y_C = 2 l / (5 (1+l)) ln(1/xi)
-/// in units of 6 pi mu r_1 and 8 pi mu r_1^3; section 5 of theirs, equations (3.17), (4.15), (7.10).
+///     squeeze  X_A = g_1 / xi + g_2 ln(1/xi),  g_1 = 2 l^2 / (1+l)^3, g_2 = l (1 + 7 l + l^2) / (5
+///     (1+l)^3) shear    Y_A = 4 l (2 + l + 2 l^2) / (15 (1+l)^3) ln(1/xi) rotation Y_C = 2 l / (5
+///     (1+l)) ln(1/xi)
+/// in units of 6 pi mu r_1 and 8 pi mu r_1^3; section 5 of theirs, equations (3.17), (4.15),
+/// (7.10).
 ///
 /// Written with motions that a rigid pair does not have, so that a rigid pair feels nothing: the
 /// slip at the contact s = U_2 - U_1 - (l_1 W_1 + l_2 W_2) x n across the line n of centres, the
@@ -47,10 +48,10 @@ enum class Squeeze {
     Film out;
     out.squeeze = 6.0 * pi * viscosity * r_1 * 2.0 * l * l / (p * p * p) / xi;
     if (terms == Squeeze::both)
-        out.squeeze += 6.0 * pi * viscosity * r_1 * l * (1.0 + 7.0 * l + l * l) /
-                       (5.0 * p * p * p) * log;
-    out.shear = 6.0 * pi * viscosity * r_1 * 4.0 * l * (2.0 + l + 2.0 * l * l) /
-                (15.0 * p * p * p) * log;
+        out.squeeze +=
+            6.0 * pi * viscosity * r_1 * l * (1.0 + 7.0 * l + l * l) / (5.0 * p * p * p) * log;
+    out.shear =
+        6.0 * pi * viscosity * r_1 * 4.0 * l * (2.0 + l + 2.0 * l * l) / (15.0 * p * p * p) * log;
     const double turn_1 = 8.0 * pi * viscosity * r_1 * r_1 * r_1 * 2.0 * l / (5.0 * p) * log;
     const double turn_2 = 8.0 * pi * viscosity * r_2 * r_2 * r_2 * 2.0 / (5.0 * p) * log;
     out.mixed = 0.5 * (turn_1 - turn_2 - out.shear * (r_1 * r_1 - r_2 * r_2)) / (r_1 + r_2);

@@ -89,7 +89,8 @@ double move_with_exact_drag(ParticleStore& p, Surroundings& s, const Brownian& b
     const double flow_z = s.flow_z;
     double largest_squared = 0.0;
 #pragma omp parallel for simd schedule(static) num_threads(threads) if (threads > 1)               \
-    reduction(max : largest_squared)
+    reduction(max                                                                                  \
+              : largest_squared)
     for (long i = 0; i < count; ++i) {
         const double mobility = 1.0 / drag[i];
         const double tau = mass[i] * mobility;
@@ -126,7 +127,8 @@ double kick_and_drift(ParticleStore& p, double step, double mean_shear, int thre
     const double *vx = p.vx.data(), *vy = p.vy.data(), *vz = p.vz.data();
     double largest_squared = 0.0;
 #pragma omp parallel for simd schedule(static) num_threads(threads) if (threads > 1)               \
-    reduction(max : largest_squared)
+    reduction(max                                                                                  \
+              : largest_squared)
     for (long i = 0; i < count; ++i) {
         const double beside = vx[i] - mean_shear * y[i];
         largest_squared =

@@ -54,8 +54,8 @@ bool NeighbourList::is_stale_after(double moved, double strain) {
 void NeighbourList::rebuild(ParticleStore& particles, ShearBox& box,
                             std::span<Column* const> companions) {
     const double cell_size = 2.0 * particles.largest_radius() + reach_ + skin_;
-    const double shortest = std::min(
-        {box.length_x, box.length_z, box.walls ? 1e300 : box.length_y});
+    const double shortest =
+        std::min({box.length_x, box.length_z, box.walls ? 1e300 : box.length_y});
     if (shortest < 2.0 * cell_size)
         throw std::invalid_argument("the box is shorter than twice the reach of the pair forces");
     const AlignedVector<Spring> springs = kept_springs(particles);
@@ -78,7 +78,8 @@ void NeighbourList::sort(ParticleStore& particles, const ShearBox& box, double c
     const std::size_t count = particles.size();
     AlignedVector<int> cell(count);
     cell_start_.assign(static_cast<std::size_t>(cells_x_) * static_cast<std::size_t>(cells_y_) *
-                               static_cast<std::size_t>(cells_z_) + 1,
+                               static_cast<std::size_t>(cells_z_) +
+                           1,
                        0);
     for (std::size_t i = 0; i < count; ++i) {
         const int at_x = cell_of(particles.x[i], box.length_x, cells_x_);

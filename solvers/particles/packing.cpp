@@ -184,8 +184,8 @@ ParticleStore random_packing(const PackingRequest& request, ShearBox box) {
     // Room is kept around each particle where there is room to keep.
     const double fraction = p.total_volume() / box.volume();
     const double most_growth = std::cbrt(0.60 / fraction);
-    const double addition = std::clamp(0.5 * request.gap, 0.0,
-                                       std::max(0.0, (most_growth - 1.0) * largest));
+    const double addition =
+        std::clamp(0.5 * request.gap, 0.0, std::max(0.0, (most_growth - 1.0) * largest));
     double left = 1.0;
     for (const double share : {1.0, 0.5, 0.1, 0.0}) {
         const double kept = share > 0.0 ? std::max(share * addition, 1e-3 * largest) : 0.0;

@@ -27,10 +27,10 @@ struct Sums {
 
 /// What one thread works with.
 struct Worker {
-    AlignedVector<int> near;            ///< pairs within the colloid's reach
-    AlignedVector<int> touching;        ///< pairs that touch
-    AlignedVector<int> touched_before;  ///< in the step before
-    Column copy;                        ///< forces and torques, for all threads but the first
+    AlignedVector<int> near;           ///< pairs within the colloid's reach
+    AlignedVector<int> touching;       ///< pairs that touch
+    AlignedVector<int> touched_before; ///< in the step before
+    Column copy;                       ///< forces and torques, for all threads but the first
     PairSums sums;
 };
 
@@ -87,13 +87,11 @@ private:
 
     Sums sums_of(Worker& worker, ParticleStore& p, int thread) const {
         if (thread == 0)
-            return {p.fx.data(), p.fy.data(), p.fz.data(),
-                    p.tx.data(), p.ty.data(), p.tz.data()};
+            return {p.fx.data(), p.fy.data(), p.fz.data(), p.tx.data(), p.ty.data(), p.tz.data()};
         const std::size_t count = p.size();
         worker.copy.assign(forces_and_torques * count, 0.0);
         double* at = worker.copy.data();
-        return {at,             at + count,     at + 2 * count,
-                at + 3 * count, at + 4 * count, at + 5 * count};
+        return {at, at + count, at + 2 * count, at + 3 * count, at + 4 * count, at + 5 * count};
     }
 
     static AlignedVector<int> pairs_with_springs(const NeighbourList& list, int begin, int end) {

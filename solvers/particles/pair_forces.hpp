@@ -25,7 +25,7 @@ struct PairSums {
     double largest_overlap{}; ///< m, 0 without contacts
     int deepest_first = -1;   ///< ids of the pair with the largest overlap
     int deepest_second = -1;
-    long contacts{};          ///< touching pairs
+    long contacts{}; ///< touching pairs
 };
 
 /// No force between particles that do not touch.

@@ -11,23 +11,25 @@ namespace searle::solvers::particles {
 /// Spheres as a structure of arrays, SI units; x along the flow, y across the gap, z along the
 /// vorticity. The order changes when the neighbour list is rebuilt; `id` names a particle for good.
 struct ParticleStore {
-    Column x, y, z;          ///< m
-    Column vx, vy, vz;       ///< m/s
-    Column wx, wy, wz;       ///< angular velocity, rad/s
-    Column radius;           ///< m
-    Column mass;             ///< kg
-    Column fx, fy, fz;       ///< force of the present step, N
-    Column tx, ty, tz;       ///< torque, N m
-    AlignedVector<int> id;   ///< 0 ... size - 1
+    Column x, y, z;        ///< m
+    Column vx, vy, vz;     ///< m/s
+    Column wx, wy, wz;     ///< angular velocity, rad/s
+    Column radius;         ///< m
+    Column mass;           ///< kg
+    Column fx, fy, fz;     ///< force of the present step, N
+    Column tx, ty, tz;     ///< torque, N m
+    AlignedVector<int> id; ///< 0 ... size - 1
 
     [[nodiscard]] std::size_t size() const { return x.size(); }
 
     /// Every column of numbers, for loops over all of them.
     [[nodiscard]] std::array<Column*, 17> columns() {
-        return {&x, &y, &z, &vx, &vy, &vz, &wx, &wy, &wz, &radius, &mass, &fx, &fy, &fz, &tx, &ty, &tz};
+        return {&x,      &y,    &z,  &vx, &vy, &vz, &wx, &wy, &wz,
+                &radius, &mass, &fx, &fy, &fz, &tx, &ty, &tz};
     }
     [[nodiscard]] std::array<const Column*, 17> columns() const {
-        return {&x, &y, &z, &vx, &vy, &vz, &wx, &wy, &wz, &radius, &mass, &fx, &fy, &fz, &tx, &ty, &tz};
+        return {&x,      &y,    &z,  &vx, &vy, &vz, &wx, &wy, &wz,
+                &radius, &mass, &fx, &fy, &fz, &tx, &ty, &tz};
     }
 
     void resize(std::size_t count) {

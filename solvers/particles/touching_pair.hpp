@@ -7,23 +7,24 @@
 
 namespace searle::solvers::particles {
 
-/// Two touching spheres, or a sphere and a wall, seen from the first: `normal` points to the second.
+/// Two touching spheres, or a sphere and a wall, seen from the first: `normal` points to the
+/// second.
 struct Touch {
     double nx, ny, nz;
-    double overlap;                ///< m, > 0
-    double vx, vy, vz;             ///< velocity of the second's centre less that of the first, m/s
-    double lever_first;            ///< centre to contact, m
-    double lever_second;           ///< 0 for a wall that does not turn
+    double overlap;      ///< m, > 0
+    double vx, vy, vz;   ///< velocity of the second's centre less that of the first, m/s
+    double lever_first;  ///< centre to contact, m
+    double lever_second; ///< 0 for a wall that does not turn
     double wx1, wy1, wz1, wx2, wy2, wz2; ///< angular velocities, rad/s
-    double reduced_mass;           ///< kg
-    double rolling_radius;         ///< r_1 r_2 / (r_1 + r_2), m
+    double reduced_mass;                 ///< kg
+    double rolling_radius;               ///< r_1 r_2 / (r_1 + r_2), m
 };
 
 /// Force on the second and the rolling torque on it (the first has the opposite of both).
 struct TouchForce {
-    double normal;        ///< along the normal, N
-    double tx, ty, tz;    ///< tangential force, N
-    double rx, ry, rz;    ///< rolling torque on the second, N m
+    double normal;     ///< along the normal, N
+    double tx, ty, tz; ///< tangential force, N
+    double rx, ry, rz; ///< rolling torque on the second, N m
 };
 
 /// Hooke's law for one contact; moves the tangential spring (sx, sy, sz) by `step`. The spring is
@@ -77,8 +78,8 @@ inline TouchForce touch_force(const laws::contact::Hooke& law, const Touch& t, d
         const double rolling_x = ux - twist * t.nx;
         const double rolling_y = uy - twist * t.ny;
         const double rolling_z = uz - twist * t.nz;
-        const double speed = std::sqrt(rolling_x * rolling_x + rolling_y * rolling_y +
-                                       rolling_z * rolling_z);
+        const double speed =
+            std::sqrt(rolling_x * rolling_x + rolling_y * rolling_y + rolling_z * rolling_z);
         const double viscous = dashpot * t.rolling_radius * t.rolling_radius;
         const double most = law.rolling_friction * t.rolling_radius * std::abs(out.normal);
         const double factor = speed * viscous > most ? most / speed : viscous;

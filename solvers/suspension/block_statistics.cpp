@@ -40,8 +40,7 @@ SeriesMean mean_of_series(std::span<const double> values) {
     double largest = 0.0;
     while (blocks.size() >= fewest_blocks) {
         const auto count = static_cast<double>(blocks.size());
-        const double variance =
-            squares_about(blocks, mean_of(blocks)) / (count * (count - 1.0));
+        const double variance = squares_about(blocks, mean_of(blocks)) / (count * (count - 1.0));
         if (plain == 0.0)
             plain = variance;
         largest = std::max(largest, variance);

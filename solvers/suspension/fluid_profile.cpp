@@ -122,12 +122,12 @@ WallShear FluidProfile::advance(const ParticleStore& p, Surroundings& s, const C
     std::vector<double> reduced(last + 1, 0.0);
     reduced[0] = velocity_[0];
     for (std::size_t k = 1; k < last; ++k) {
-        const double diagonal = inertia(k) + step * (stiffness(k - 1) + stiffness(k)) +
-                                drag_diagonal_[k];
+        const double diagonal =
+            inertia(k) + step * (stiffness(k - 1) + stiffness(k)) + drag_diagonal_[k];
         const double below = -step * stiffness(k - 1) + drag_beside_[k - 1];
         const double above = -step * stiffness(k) + drag_beside_[k];
-        const double load = inertia(k) * before[k] - drag_load_[k] +
-                            step * (couple(k) - couple(k - 1));
+        const double load =
+            inertia(k) * before[k] - drag_load_[k] + step * (couple(k) - couple(k - 1));
         const double pivot = diagonal + below * ratio[k - 1];
         ratio[k] = -above / pivot;
         reduced[k] = (load - below * reduced[k - 1]) / pivot;
@@ -153,8 +153,8 @@ WallShear FluidProfile::advance(const ParticleStore& p, Surroundings& s, const C
     const double slope = (velocity_[last] - velocity_[last - 1]) / spacing_;
     wall.viscous = options_.viscosity * slope +
                    inertia(last) * (velocity_[last] - before[last]) / (step * area);
-    wall.stresslet = (stiffness(last - 1) / per_spacing - options_.viscosity) * slope +
-                     couple(last - 1) / area;
+    wall.stresslet =
+        (stiffness(last - 1) / per_spacing - options_.viscosity) * slope + couple(last - 1) / area;
     wall.drag = impulses[last] / (step * area);
     const double lower_slope = (velocity_[1] - velocity_[0]) / spacing_;
     const double lower = -(stiffness(0) / per_spacing * lower_slope * area + couple(0)) * step +
@@ -171,8 +171,7 @@ WallShear FluidProfile::advance(const ParticleStore& p, Surroundings& s, const C
         const std::size_t e = element_of(p.y[i], upper);
         const double coupling = -p.mass[i] * std::expm1(-step * s.drag[i] / p.mass[i]);
         const double flow = velocity_[e] + upper * (velocity_[e + 1] - velocity_[e]);
-        const double impulse =
-            coupling * flow + rest_of_impulse(p, s, forces_x, i, coupling, step);
+        const double impulse = coupling * flow + rest_of_impulse(p, s, forces_x, i, coupling, step);
         predicted_[e] += (1.0 - upper) * impulse;
         predicted_[e + 1] += upper * impulse;
     }
@@ -207,8 +206,8 @@ double FluidProfile::mean_stresslet() const {
         return 0.0;
     double sum = 0.0;
     for (std::size_t e = 0; e < element_fraction_.size(); ++e)
-        sum += 2.5 * element_fraction_[e] * options_.viscosity *
-                   (velocity_[e + 1] - velocity_[e]) / spacing_ +
+        sum += 2.5 * element_fraction_[e] * options_.viscosity * (velocity_[e + 1] - velocity_[e]) /
+                   spacing_ +
                0.5 * couple_[e];
     return sum / options_.cells;
 }

@@ -48,8 +48,9 @@ public:
     /// Fluid fraction at the nodes from the particles' places.
     void gather_fractions(const particles::ParticleStore& particles);
 
-    /// One fluid step, before the particles' own, with the fractions as gathered. `surroundings.drag` holds their coefficients, and
-    /// `impulse_x` what the fluid gave them since the last fluid step; it is set to 0.
+    /// One fluid step, before the particles' own, with the fractions as gathered.
+    /// `surroundings.drag` holds their coefficients, and `impulse_x` what the fluid gave them since
+    /// the last fluid step; it is set to 0.
     /// @param forces_x  force on each particle that is not the fluid's, N
     /// @param step      of the fluid, s  @param wall_speed at its end, m/s
     WallShear advance(const particles::ParticleStore& particles,
@@ -86,19 +87,18 @@ public:
 
 private:
     [[nodiscard]] std::size_t element_of(double y, double& upper_weight) const;
-    void assemble(const particles::ParticleStore& particles,
-                  particles::Surroundings& surroundings, const particles::Column& forces_x,
-                  double step);
+    void assemble(const particles::ParticleStore& particles, particles::Surroundings& surroundings,
+                  const particles::Column& forces_x, double step);
 
     ProfileOptions options_;
     double spacing_;
-    std::vector<double> velocity_;      ///< at the nodes, m/s
-    std::vector<double> fraction_;      ///< particles' volume fraction at the nodes
+    std::vector<double> velocity_; ///< at the nodes, m/s
+    std::vector<double> fraction_; ///< particles' volume fraction at the nodes
     std::vector<double> element_fraction_;
     std::vector<double> viscous_force_; ///< of mu du/dy at the nodes, N; 0 at the walls
     std::vector<double> couple_;        ///< of the particles on the fluid, by element, N m / m^3
     std::vector<double> drag_diagonal_, drag_beside_, drag_load_;
-    std::vector<double> predicted_;     ///< impulse of the drag by node that advance() counted with
+    std::vector<double> predicted_; ///< impulse of the drag by node that advance() counted with
     double momentum_gained_{};
     double wall_impulse_{};
 };

@@ -9,12 +9,11 @@ void InertialMotion::save(Checkpoint& into) const {
     put_particles(into, particles_, box_, list_, counts_);
     for (std::size_t k = 0; k < companions_.size(); ++k)
         into.put(fmt::format("companion_{:02}", k), *companions_[k]);
-    into.put("motion",
-             std::vector<double>{time_, last_step_, wall_contact_impulse_, surroundings_.flow_z,
-                                 static_cast<double>(brownian_.step), control_.step(),
-                                 control_.longest(), forces_known_ ? 1.0 : 0.0,
-                                 change_known_ ? 1.0 : 0.0, wall_sums_.upper_x,
-                                 wall_sums_.lower_x});
+    into.put("motion", std::vector<double>{
+                           time_, last_step_, wall_contact_impulse_, surroundings_.flow_z,
+                           static_cast<double>(brownian_.step), control_.step(), control_.longest(),
+                           forces_known_ ? 1.0 : 0.0, change_known_ ? 1.0 : 0.0, wall_sums_.upper_x,
+                           wall_sums_.lower_x});
     if (profile_) {
         const FluidProfile::State state = profile_->state();
         into.put("fluid_velocity", state.velocity);

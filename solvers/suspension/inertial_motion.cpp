@@ -17,13 +17,13 @@ using particles::ParticleStore;
 
 /// Shares that the step keeps to at an asked accuracy of 2e-3; docs/suspension.md has what they
 /// cost in accuracy.
-constexpr double contact_share = 0.3;   ///< of drag / (2 k_n)
-constexpr double explicit_share = 0.1;  ///< of the particles' relaxation time
-constexpr double rayleigh_share = 0.2;  ///< of the Rayleigh time, explicit steps
-constexpr double colloid_share = 0.5;   ///< of drag / k, k the colloid's largest stiffness: stability
-constexpr double strain_share = 2e-3;   ///< strain within a step
-constexpr double error_share = 1e-3;    ///< displacement error over the range of the forces
-constexpr double deepest_share = 0.2;   ///< of the radius: a deeper overlap is no contact any more
+constexpr double contact_share = 0.3;  ///< of drag / (2 k_n)
+constexpr double explicit_share = 0.1; ///< of the particles' relaxation time
+constexpr double rayleigh_share = 0.2; ///< of the Rayleigh time, explicit steps
+constexpr double colloid_share = 0.5; ///< of drag / k, k the colloid's largest stiffness: stability
+constexpr double strain_share = 2e-3; ///< strain within a step
+constexpr double error_share = 1e-3;  ///< displacement error over the range of the forces
+constexpr double deepest_share = 0.2; ///< of the radius: a deeper overlap is no contact any more
 
 double skin_for(const SuspensionInput& input) {
     const double fraction = input.particles.total_volume() / input.box.volume();
@@ -39,8 +39,10 @@ InertialMotion::InertialMotion(SuspensionInput input)
       contact_(contact_law(input_.settings.contact)),
       colloid_(colloid_law(input_.settings.dlvo, input_.settings.temperature)),
       forces_(particles::make_pair_forces(contact_, colloid_, input_.threads)),
-      list_(particles::reach_of(colloid_), skin_for(input_)),
-      drag_{input_.settings.drag, input_.coupling.model, input_.viscosity, input_.density},
+      list_(particles::reach_of(colloid_), skin_for(input_)), drag_{input_.settings.drag,
+                                                                    input_.coupling.model,
+                                                                    input_.viscosity,
+                                                                    input_.density},
       control_(1.0, 1.0, 1.0) {
     const std::size_t count = particles_.size();
     surroundings_.resize(count);
@@ -56,14 +58,14 @@ InertialMotion::InertialMotion(SuspensionInput input)
         particles_.wz[i] = -0.5 * rate;
     }
     if (box_.walls) {
-        profile_.emplace(ProfileOptions{
-            .gap = box_.length_y,
-            .wall_area = box_.length_x * box_.length_z,
-            .cells = input_.coupling.cells[1],
-            .viscosity = input_.viscosity,
-            .density = input_.density,
-            .model_a = input_.coupling.model == CouplingModel::a,
-            .stresslets = input_.settings.hydrodynamics != Hydrodynamics::drag});
+        profile_.emplace(
+            ProfileOptions{.gap = box_.length_y,
+                           .wall_area = box_.length_x * box_.length_z,
+                           .cells = input_.coupling.cells[1],
+                           .viscosity = input_.viscosity,
+                           .density = input_.density,
+                           .model_a = input_.coupling.model == CouplingModel::a,
+                           .stresslets = input_.settings.hydrodynamics != Hydrodynamics::drag});
         profile_->set_uniform_shear(input_.initial_wall_speed);
     }
     if (input_.settings.brownian)
@@ -95,9 +97,8 @@ void InertialMotion::choose_step() {
     if (contact_) {
         const double mass = 0.5 * smallest(particles_.mass);
         const double friction = drag + 2.0 * contact_->normal_damping(mass);
-        contact_longest_ =
-            std::min(free_longest_,
-                     scale * contact_share * 0.5 * friction / contact_->normal_stiffness);
+        contact_longest_ = std::min(free_longest_, scale * contact_share * 0.5 * friction /
+                                                       contact_->normal_stiffness);
         if (explicit_steps_)
             contact_longest_ = std::min(contact_longest_, 0.02 * contact_->duration(mass));
     }
@@ -175,7 +176,8 @@ void InertialMotion::evaluate(double wall_speed, double step, bool sampling) {
     pair_sums_ = forces_->evaluate(particles_, box_, list_, step, sampling);
     wall_sums_ = {};
     if (contact_ && box_.walls)
-        wall_sums_ = particles::add_wall_forces(*contact_, particles_, box_, list_, wall_speed, step);
+        wall_sums_ =
+            particles::add_wall_forces(*contact_, particles_, box_, list_, wall_speed, step);
     if (weight_z_ != 0.0)
         for (std::size_t i = 0; i < particles_.size(); ++i)
             particles_.fz[i] -= weight_z_ * particles_.volume(i);
@@ -188,10 +190,10 @@ void InertialMotion::check(double moved) const {
     const bool pair_is_worse = pair_sums_.largest_overlap >= wall_sums_.largest_overlap;
     const double overlap = std::max(pair_sums_.largest_overlap, wall_sums_.largest_overlap);
     if (overlap > deepest_share * least) {
-        const std::string who =
-            pair_is_worse ? fmt::format("particles {} and {}", pair_sums_.deepest_first,
-                                        pair_sums_.deepest_second)
-                          : fmt::format("particle {} and a wall", wall_sums_.deepest);
+        const std::string who = pair_is_worse
+                                    ? fmt::format("particles {} and {}", pair_sums_.deepest_first,
+                                                  pair_sums_.deepest_second)
+                                    : fmt::format("particle {} and a wall", wall_sums_.deepest);
         throw StepFailure(fmt::format(
             "{} overlap by {:.3g} m at t = {:.6g} s, {:.2g} of the smallest radius: the contact is "
             "too soft for the forces on it (particles.contact.stiffness), or the step of {:.3g} s "
@@ -205,7 +207,8 @@ void InertialMotion::check(double moved) const {
             if (!(size < 1e300) || !(last_step_ * std::abs(particles_.vy[i]) < 0.5 * least))
                 throw StepFailure(fmt::format(
                     "particle {} moved by more than a radius within the step of {:.3g} s at t = "
-                    "{:.6g} s; the force on it was {:.3g} N: the step is too long for the contact's "
+                    "{:.6g} s; the force on it was {:.3g} N: the step is too long for the "
+                    "contact's "
                     "stiffness or the colloidal forces (particles.time_step)",
                     particles_.id[i], last_step_, time_, size));
         }
@@ -353,8 +356,8 @@ StressSample InertialMotion::sample(const WallShear& wall, double duration, doub
         double couple = 0.0;
         for (std::size_t i = 0; i < particles_.size(); ++i)
             couple -= surroundings_.rotational_drag[i] * (-0.5 * rate - particles_.wz[i]);
-        s.bulk.hydrodynamic = 2.5 * particles_.total_volume() * per_volume * s.bulk.fluid +
-                              0.5 * couple * per_volume;
+        s.bulk.hydrodynamic =
+            2.5 * particles_.total_volume() * per_volume * s.bulk.fluid + 0.5 * couple * per_volume;
     }
     s.bulk.contact = -contact[3] * per_volume;
     s.bulk.colloid = -colloid[3] * per_volume;

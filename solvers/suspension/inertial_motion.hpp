@@ -20,9 +20,9 @@ namespace searle::solvers::suspension {
 /// isolated spheres ("stresslet"). With walls, four-way coupled with the fluid's profile; in a
 /// Lees-Edwards box the mean flow is uniform shear and stays it.
 ///
-/// Integrators: implicit-drag (exact for a held force), or explicit (velocity Verlet, as the paper).
-/// A step by StepControl where there are colloidal forces, and while particles touch no longer than
-/// a share of the contact's relaxation; a given time_step is kept.
+/// Integrators: implicit-drag (exact for a held force), or explicit (velocity Verlet, as the
+/// paper). A step by StepControl where there are colloidal forces, and while particles touch no
+/// longer than a share of the contact's relaxation; a given time_step is kept.
 class InertialMotion final : public SuspensionMotion {
 public:
     explicit InertialMotion(SuspensionInput input);
@@ -65,7 +65,7 @@ private:
     particles::NeighbourList list_;
     particles::Surroundings surroundings_;
     particles::Column fluid_fraction_;
-    particles::Column bare_x_; ///< forces that are not the fluid's
+    particles::Column bare_x_;                         ///< forces that are not the fluid's
     particles::Column before_x_, before_y_, before_z_; ///< forces of the step before
     std::vector<particles::Column*> companions_;
     particles::Brownian brownian_;

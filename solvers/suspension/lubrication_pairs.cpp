@@ -16,9 +16,9 @@ void add_colloid(const Colloid& colloid, double gap, double r_1, double r_2, Nea
             return;
         pair.push += colloid.repulsion(gap, r_1, r_2);
         const double probe = 1e-4 * colloid.minimum_separation + 1e-5 * std::abs(gap);
-        const double rise = (colloid.repulsion(gap - probe, r_1, r_2) -
-                             colloid.repulsion(gap + probe, r_1, r_2)) /
-                            (2.0 * probe);
+        const double rise =
+            (colloid.repulsion(gap - probe, r_1, r_2) - colloid.repulsion(gap + probe, r_1, r_2)) /
+            (2.0 * probe);
         pair.colloid_stiffness = std::max(rise, 0.0);
     }
 }

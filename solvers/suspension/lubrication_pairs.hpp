@@ -19,25 +19,25 @@ using Motions = particles::AlignedVector<Motion>;
 /// force that acts without motion.
 struct NearPair {
     int first, second;
-    int listed; ///< its place in the neighbour list
-    double nx, ny, nz;             ///< unit vector from first to second
-    double distance;               ///< of the centres, m
+    int listed;                       ///< its place in the neighbour list
+    double nx, ny, nz;                ///< unit vector from first to second
+    double distance;                  ///< of the centres, m
     double lever_first, lever_second; ///< centre to the middle of the gap, over the length unit
     double squeeze, shear, mixed, pump, twist; ///< film; springs times the step are added
     double film_squeeze, film_shear;           ///< of the film alone
-    double push;                   ///< force along n that pushes apart at the step's start, N
-    double contact_push;           ///< of it the contact's
+    double push;                         ///< force along n that pushes apart at the step's start, N
+    double contact_push;                 ///< of it the contact's
     double stiffness, colloid_stiffness; ///< N/m, of contact and colloid, along n
-    double tx, ty, tz;             ///< contact's tangential force on the second at the start, N
-    double tangential_stiffness;   ///< N/m, 0 while sliding
+    double tx, ty, tz;           ///< contact's tangential force on the second at the start, N
+    double tangential_stiffness; ///< N/m, 0 while sliding
     bool touches;
 };
 
 struct LubricationSettings {
-    double viscosity{};       ///< Pa s
-    double farthest_gap{};    ///< xi beyond which a pair has no film
-    double roughness{};       ///< added to xi: the film of touching spheres is finite
-    double length_unit{};     ///< m, of Motion's rotations
+    double viscosity{};    ///< Pa s
+    double farthest_gap{}; ///< xi beyond which a pair has no film
+    double roughness{};    ///< added to xi: the film of touching spheres is finite
+    double length_unit{};  ///< m, of Motion's rotations
 };
 
 /// Finds the near pairs and what acts in them.

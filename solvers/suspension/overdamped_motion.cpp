@@ -15,10 +15,10 @@ namespace {
 
 constexpr double residual_share = 1e-4; ///< of the right side, that the solve leaves over
 constexpr int most_iterations = 2000;
-constexpr double strain_share = 1e-3;   ///< strain within a step
-constexpr double move_share = 2e-3;     ///< displacement beside the mean flow within a step, radii
-constexpr double range_share = 0.2;     ///< closing of a pair within a step over the Debye length
-constexpr double deepest_share = 0.2;   ///< of the radius
+constexpr double strain_share = 1e-3; ///< strain within a step
+constexpr double move_share = 2e-3;   ///< displacement beside the mean flow within a step, radii
+constexpr double range_share = 0.2;   ///< closing of a pair within a step over the Debye length
+constexpr double deepest_share = 0.2; ///< of the radius
 
 using Block = Eigen::Matrix<double, 6, 6>;
 
@@ -46,8 +46,7 @@ OverdampedMotion::OverdampedMotion(SuspensionInput input)
              .length_unit = input_.particles.largest_radius()},
       list_(reach_for(input_, colloid_), 0.25 * input_.particles.largest_radius()) {
     const std::size_t count = particles_.size();
-    for (Motions* each :
-         {&motion_, &right_side_, &residual_, &direction_, &image_, &scaled_})
+    for (Motions* each : {&motion_, &right_side_, &residual_, &direction_, &image_, &scaled_})
         each->assign(count, Motion{});
     blocks_.resize(count);
     drag_.resize(count);
@@ -68,8 +67,8 @@ double OverdampedMotion::choose_step(double rate) const {
     if (fastest_ > 0.0)
         step = std::min(step, move_share * radius / fastest_);
     if (input_.settings.dlvo && fastest_closing_ > 0.0)
-        step = std::min(step, range_share * debye_length(*input_.settings.dlvo,
-                                                         input_.settings.temperature) /
+        step = std::min(step, range_share *
+                                  debye_length(*input_.settings.dlvo, input_.settings.temperature) /
                                   fastest_closing_);
     return scale * step;
 }
@@ -124,9 +123,11 @@ void OverdampedMotion::precondition() {
     const double unit = films_.length_unit;
     paired_.assign(particles_.size(), 0);
     for (const NearPair& c : pairs_)
-        paired_[static_cast<std::size_t>(c.first)] = paired_[static_cast<std::size_t>(c.second)] = 1;
+        paired_[static_cast<std::size_t>(c.first)] = paired_[static_cast<std::size_t>(c.second)] =
+            1;
     for (std::size_t i = 0; i < particles_.size(); ++i) {
-        drag_[i] = laws::drag::Stokes{input_.viscosity, 0.0}.coefficient(particles_.radius[i], 0, 1);
+        drag_[i] =
+            laws::drag::Stokes{input_.viscosity, 0.0}.coefficient(particles_.radius[i], 0, 1);
         turning_drag_[i] =
             laws::drag::rotational_coefficient(input_.viscosity, particles_.radius[i]) /
             (unit * unit);
@@ -204,10 +205,11 @@ void OverdampedMotion::solve() {
     int iterations = 0;
     while (size > goal && goal > 0.0) {
         if (++iterations > most_iterations)
-            throw StepFailure(fmt::format(
-                "the velocities of the particles were not found within {} iterations at t = {:.6g} s "
-                "(residual {:.2g} of the forces)",
-                most_iterations, time_, std::sqrt(size / goal) * residual_share));
+            throw StepFailure(fmt::format("the velocities of the particles were not found within "
+                                          "{} iterations at t = {:.6g} s "
+                                          "(residual {:.2g} of the forces)",
+                                          most_iterations, time_,
+                                          std::sqrt(size / goal) * residual_share));
         apply(direction_, image_);
         const double along = size / dot(direction_, image_);
         for (std::size_t i = 0; i < count; ++i)
@@ -298,14 +300,15 @@ StressSample OverdampedMotion::move(double step, double rate) {
     fastest_ = std::sqrt(fastest_squared);
 
     const double per_volume = 1.0 / box_.volume();
-    const auto shear = [&](const particles::Virial& v) { return -0.5 * (v[1] + v[3]) * per_volume; };
+    const auto shear = [&](const particles::Virial& v) {
+        return -0.5 * (v[1] + v[3]) * per_volume;
+    };
     StressSample s;
     s.time = time_ + 0.5 * step;
     s.duration = step;
     s.shear_rate = rate;
     s.bulk.fluid = input_.viscosity * rate;
-    s.bulk.hydrodynamic =
-        2.5 * particles_.total_volume() * per_volume * s.bulk.fluid + shear(film);
+    s.bulk.hydrodynamic = 2.5 * particles_.total_volume() * per_volume * s.bulk.fluid + shear(film);
     s.bulk.contact = shear(contact);
     s.bulk.colloid = shear(colloid);
     const auto diagonal = [&](std::size_t k) {
@@ -349,15 +352,15 @@ StressSample OverdampedMotion::advance(const WallSpeed& speed, double until) {
     const bool ends = steps < 1.5;
     if (steps < 2.5)
         step = (until - time_) / std::max(steps, 1.0);
-    const double rate =
-        0.5 * (start_rate + speed(std::min(time_ + step, until)) / box_.length_y);
+    const double rate = 0.5 * (start_rate + speed(std::min(time_ + step, until)) / box_.length_y);
     box_.set_shear_rate(rate);
     step_ = step;
     sums_ = gather_near_pairs(particles_, box_, list_, films_, contact_, colloid_, step, pairs_);
     const double least = *std::min_element(particles_.radius.begin(), particles_.radius.end());
     if (sums_.largest_overlap > deepest_share * least)
         throw StepFailure(fmt::format(
-            "particles {} and {} overlap by {:.3g} m at t = {:.6g} s, {:.2g} of the smallest radius: "
+            "particles {} and {} overlap by {:.3g} m at t = {:.6g} s, {:.2g} of the smallest "
+            "radius: "
             "the contact is too soft for the forces on it (particles.contact.stiffness)",
             sums_.deepest_first, sums_.deepest_second, sums_.largest_overlap, time_,
             sums_.largest_overlap / least));

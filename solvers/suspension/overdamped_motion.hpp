@@ -55,14 +55,14 @@ private:
     particles::NeighbourList list_;
     particles::AlignedVector<NearPair> pairs_;
     particles::PairSums sums_;
-    Motions motion_;       ///< against the mean flow; of the last step until solved
+    Motions motion_; ///< against the mean flow; of the last step until solved
     Motions right_side_;
     Motions residual_, direction_, image_, scaled_;
     particles::AlignedVector<std::array<double, 36>> blocks_; ///< inverse of the diagonal blocks
     particles::AlignedVector<char> paired_; ///< whether a particle has a near pair
     particles::Column drag_, turning_drag_;
     double step_{};
-    double fastest_{};      ///< of the last step, against the mean flow, m/s
+    double fastest_{};         ///< of the last step, against the mean flow, m/s
     double fastest_closing_{}; ///< along the centres of a pair with colloidal forces, m/s
     double time_{};
     StepCounts counts_;

@@ -26,12 +26,11 @@ void put_particles(Checkpoint& into, const particles::ParticleStore& particles,
     const auto state = list.state();
     into.put("list_state", std::vector<double>{state.moved, state.strain, state.largest_distance,
                                                static_cast<double>(state.rebuilds)});
-    into.put("counts",
-             std::vector<double>{static_cast<double>(counts.steps),
-                                 static_cast<double>(counts.fluid_steps),
-                                 static_cast<double>(counts.rebuilds), counts.shortest_step,
-                                 counts.longest_step,
-                                 static_cast<double>(counts.solver_iterations)});
+    into.put("counts", std::vector<double>{static_cast<double>(counts.steps),
+                                           static_cast<double>(counts.fluid_steps),
+                                           static_cast<double>(counts.rebuilds),
+                                           counts.shortest_step, counts.longest_step,
+                                           static_cast<double>(counts.solver_iterations)});
 }
 
 void get_particles(const Checkpoint& from, particles::ParticleStore& particles,
@@ -58,8 +57,11 @@ void get_particles(const Checkpoint& from, particles::ParticleStore& particles,
     const std::vector<double>& state = from.column("list_state");
     list.restore({state.at(0), state.at(1), state.at(2), static_cast<long>(state.at(3))});
     const std::vector<double>& numbers = from.column("counts");
-    counts = {static_cast<long>(numbers.at(0)), static_cast<long>(numbers.at(1)),
-              static_cast<long>(numbers.at(2)), numbers.at(3), numbers.at(4),
+    counts = {static_cast<long>(numbers.at(0)),
+              static_cast<long>(numbers.at(1)),
+              static_cast<long>(numbers.at(2)),
+              numbers.at(3),
+              numbers.at(4),
               static_cast<long>(numbers.at(5))};
 }
 

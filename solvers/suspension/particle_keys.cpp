@@ -40,7 +40,8 @@ void add_size_keys(casefile::Keys<ParticleSettings>& keys) {
         .at_least("0")
         .at_most("1")
         .example("0.2")
-        .says("Lognormal sizes: standard deviation of ln(diameter) by number, each size the median.");
+        .says(
+            "Lognormal sizes: standard deviation of ln(diameter) by number, each size the median.");
     keys.key("density", &ParticleSettings::density)
         .measures(casefile::density)
         .above("0 kg/m^3")

@@ -9,8 +9,7 @@ template <class Layer>
 laws::colloid::Dlvo<Layer> dlvo_of(const ColloidSettings& settings, double temperature) {
     laws::colloid::Dlvo<Layer> dlvo;
     dlvo.attraction.hamaker = settings.hamaker;
-    dlvo.layer.permittivity =
-        settings.relative_permittivity * laws::colloid::vacuum_permittivity;
+    dlvo.layer.permittivity = settings.relative_permittivity * laws::colloid::vacuum_permittivity;
     dlvo.layer.potential = settings.zeta_potential;
     dlvo.layer.inverse_thickness = 1.0 / debye_length(settings, temperature);
     dlvo.minimum_separation = settings.minimum_separation;

@@ -16,9 +16,9 @@ struct SuspensionInput {
     particles::ShearBox box;
     ParticleSettings settings; ///< hydrodynamics and integrator are none of them "auto"
     CouplingSettings coupling;
-    double viscosity{}; ///< of the fluid, Pa s
-    double density{};   ///< of the fluid, kg/m^3
-    double accuracy{};  ///< asked-for relative error; decides the step
+    double viscosity{};          ///< of the fluid, Pa s
+    double density{};            ///< of the fluid, kg/m^3
+    double accuracy{};           ///< asked-for relative error; decides the step
     double initial_wall_speed{}; ///< m/s; particles and fluid start in this uniform shear
     double fastest_wall_speed{}; ///< m/s, > 0
     int threads = 1;

@@ -73,38 +73,40 @@ void check_sizes(const Scene& scene, const SuspensionChoice& choice) {
     const auto& box = std::get<geometry::Box>(scene.instrument);
     const Sizes sizes = sizes_of(choice.settings);
     if (choice.volume_fraction > random_close_packing)
-        throw UnsuitableScene(fmt::format(
-            "particles.volume_fraction = {:.4g}: spheres at random fill at most {:.2f} of a box; the "
-            "packings made here reach about 0.60",
-            choice.volume_fraction, random_close_packing));
+        throw UnsuitableScene(fmt::format("particles.volume_fraction = {:.4g}: spheres at random "
+                                          "fill at most {:.2f} of a box; the "
+                                          "packings made here reach about 0.60",
+                                          choice.volume_fraction, random_close_packing));
     if (sizes.largest > box.gap)
-        throw UnsuitableScene(
-            fmt::format("particles.diameter = {:.4g} m (the largest) does not fit into geometry.gap "
-                        "= {:.4g} m",
-                        sizes.largest, box.gap));
-    if (choice.count > most_particles)
         throw UnsuitableScene(fmt::format(
-            "a box of {:.3g} x {:.3g} x {:.3g} m holds {:.2g} particles of this size, more than the "
-            "{:.0g} that can be run: take a smaller geometry.length, width and gap (the paper's box "
-            "is a cube of 33 diameters)",
-            box.length, box.gap, box.width, choice.count, most_particles));
+            "particles.diameter = {:.4g} m (the largest) does not fit into geometry.gap "
+            "= {:.4g} m",
+            sizes.largest, box.gap));
+    if (choice.count > most_particles)
+        throw UnsuitableScene(fmt::format("a box of {:.3g} x {:.3g} x {:.3g} m holds {:.2g} "
+                                          "particles of this size, more than the "
+                                          "{:.0g} that can be run: take a smaller geometry.length, "
+                                          "width and gap (the paper's box "
+                                          "is a cube of 33 diameters)",
+                                          box.length, box.gap, box.width, choice.count,
+                                          most_particles));
     if (choice.count < 2.0)
         throw UnsuitableScene(
             fmt::format("the box holds {:.2g} particles of this size at this volume fraction; at "
                         "least 2 are needed",
                         choice.count));
-    const double reach =
-        choice.settings.dlvo ? choice.settings.dlvo->cutoff
-        : choice.settings.hydrodynamics == Hydrodynamics::lubrication ? 0.25 * sizes.largest
-                                                                      : 0.0;
+    const double reach = choice.settings.dlvo ? choice.settings.dlvo->cutoff
+                         : choice.settings.hydrodynamics == Hydrodynamics::lubrication
+                             ? 0.25 * sizes.largest
+                             : 0.0;
     const double needed = 2.0 * (1.15 * sizes.largest + reach);
     const bool walls = choice.settings.boundary == ParticleBoundary::walls;
-    const double shortest =
-        std::min({box.length, box.width, walls ? box.length : box.gap});
+    const double shortest = std::min({box.length, box.width, walls ? box.length : box.gap});
     if (shortest < needed)
         throw UnsuitableScene(fmt::format(
             "the box is periodic over {:.4g} m, less than the {:.4g} m that keep a particle from "
-            "meeting two images of another (twice the largest diameter, the reach of the forces and "
+            "meeting two images of another (twice the largest diameter, the reach of the forces "
+            "and "
             "a margin)",
             shortest, needed));
 }
@@ -120,40 +122,46 @@ std::vector<PlanItem> items_for(const Scene& scene, const Forecast& forecast,
     const double slow = slowest_rate(forecast);
     const bool walls = settings.boundary == ParticleBoundary::walls;
     std::vector<PlanItem> items;
-    items.push_back({"particles", true,
-                     fmt::format("{:.0f} spheres, volume fraction {:.4g}, the gap {:.3g} diameters "
-                                 "wide, {}.",
-                                 choice.count, choice.volume_fraction, box.gap / sizes.largest,
-                                 walls ? "between two walls" : "in a Lees-Edwards box without walls")});
+    items.push_back(
+        {"particles", true,
+         fmt::format("{:.0f} spheres, volume fraction {:.4g}, the gap {:.3g} diameters "
+                     "wide, {}.",
+                     choice.count, choice.volume_fraction, box.gap / sizes.largest,
+                     walls ? "between two walls" : "in a Lees-Edwards box without walls")});
     items.push_back({"particle stress", settings.hydrodynamics != Hydrodynamics::drag,
                      choice.why_hydrodynamics});
     if (walls)
         items.push_back(
             {"3d fluid", false,
-             fmt::format("Along the walls the scene is uniform: periodic, and sheared by plane walls. "
-                         "The fluid is one profile across the gap on {} cells; {} x {} cells of each "
-                         "layer are one.",
-                         scene.coupling.cells[1], scene.coupling.cells[0], scene.coupling.cells[2])});
+             fmt::format(
+                 "Along the walls the scene is uniform: periodic, and sheared by plane walls. "
+                 "The fluid is one profile across the gap on {} cells; {} x {} cells of each "
+                 "layer are one.",
+                 scene.coupling.cells[1], scene.coupling.cells[0], scene.coupling.cells[2])});
     else
-        items.push_back({"fluid profile", false,
-                         "Without walls the mean flow is uniform shear; the fluid has no equation of "
-                         "its own."});
-    const double stokes = settings.density * sizes.largest * sizes.largest * fast / (18 * viscosity);
-    items.push_back({"Stokes number", settings.hydrodynamics != Hydrodynamics::lubrication,
-                     fmt::format("Inertia of the particles over drag, rho d^2 rate / 18 mu: {:.2g} at {:.4g} 1/s. {}", stokes, fast,
-                                 choice.why_integrator)});
+        items.push_back(
+            {"fluid profile", false,
+             "Without walls the mean flow is uniform shear; the fluid has no equation of "
+             "its own."});
+    const double stokes =
+        settings.density * sizes.largest * sizes.largest * fast / (18 * viscosity);
+    items.push_back(
+        {"Stokes number", settings.hydrodynamics != Hydrodynamics::lubrication,
+         fmt::format(
+             "Inertia of the particles over drag, rho d^2 rate / 18 mu: {:.2g} at {:.4g} 1/s. {}",
+             stokes, fast, choice.why_integrator)});
     const double thermal = laws::colloid::boltzmann * settings.temperature;
     const double per_rate = 6 * std::numbers::pi * viscosity * std::pow(radius, 3) / thermal;
     items.push_back({"thermal motion", settings.brownian,
                      fmt::format("Peclet number 6 pi mu a^3 rate / kT from {:.3g} to {:.3g}; "
                                  "particles.brownian = {}.",
                                  per_rate * slow, per_rate * fast, settings.brownian)});
-    items.push_back(
-        {"contacts", settings.contact.has_value(),
-         settings.contact ? fmt::format("Springs of {:.3g} N/m, restitution, friction {:.3g}; {}.",
-                                        settings.contact->stiffness, settings.contact->friction,
-                                        walls ? "with the walls, too" : "no walls")
-                          : std::string("particles.contact is left out: spheres may overlap.")});
+    items.push_back({"contacts", settings.contact.has_value(),
+                     settings.contact
+                         ? fmt::format("Springs of {:.3g} N/m, restitution, friction {:.3g}; {}.",
+                                       settings.contact->stiffness, settings.contact->friction,
+                                       walls ? "with the walls, too" : "no walls")
+                         : std::string("particles.contact is left out: spheres may overlap.")});
     if (settings.dlvo) {
         double attraction = 0.0;
         const laws::colloid::DlvoCurve curve = curve_of(settings, radius, attraction);
@@ -205,18 +213,20 @@ std::vector<std::string> warnings_for(const Scene& scene, const Forecast& foreca
                 "suspension will aggregate.",
                 curve.barrier / thermal));
         if (settings.contact && attraction / settings.contact->stiffness > 0.1 * radius)
-            warnings.push_back(fmt::format(
-                "Pairs that pass the barrier attract each other with {:.2g} N, which presses springs "
-                "of {:.2g} N/m in by {:.2g} radii: should pairs get there, the run stops. A stiffer "
-                "contact or a larger minimum_separation holds them.",
-                attraction, settings.contact->stiffness,
-                attraction / settings.contact->stiffness / radius));
+            warnings.push_back(fmt::format("Pairs that pass the barrier attract each other with "
+                                           "{:.2g} N, which presses springs "
+                                           "of {:.2g} N/m in by {:.2g} radii: should pairs get "
+                                           "there, the run stops. A stiffer "
+                                           "contact or a larger minimum_separation holds them.",
+                                           attraction, settings.contact->stiffness,
+                                           attraction / settings.contact->stiffness / radius));
         if (settings.dlvo->cutoff < 5.0 * debye_length(*settings.dlvo, settings.temperature))
-            warnings.push_back("dlvo.cutoff is less than five Debye lengths: more than 0.7 % of the "
-                               "double layer's force at contact is cut off.");
+            warnings.push_back(
+                "dlvo.cutoff is less than five Debye lengths: more than 0.7 % of the "
+                "double layer's force at contact is cut off.");
     }
-    const double peclet = 6 * std::numbers::pi * viscosity * std::pow(radius, 3) *
-                          slowest_rate(forecast) / thermal;
+    const double peclet =
+        6 * std::numbers::pi * viscosity * std::pow(radius, 3) * slowest_rate(forecast) / thermal;
     if (!settings.brownian && peclet < 10.0)
         warnings.push_back(fmt::format(
             "The Peclet number falls to {:.2g}: thermal motion, which brownian = false leaves out, "
@@ -264,9 +274,9 @@ SuspensionChoice with_automatic_level(SuspensionChoice choice, const Scene& scen
     if (pairs <= scene.solver.accuracy) {
         choice.why_hydrodynamics = "Stresslets of isolated spheres are enough: " + numbers + ".";
     } else if (const std::string against = against_lubrication(settings); !against.empty()) {
-        choice.why_hydrodynamics = "Stresslets of isolated spheres; near pairs would be needed, too (" +
-                                   numbers + "), but this version has no lubrication " + against +
-                                   ".";
+        choice.why_hydrodynamics =
+            "Stresslets of isolated spheres; near pairs would be needed, too (" + numbers +
+            "), but this version has no lubrication " + against + ".";
     } else {
         settings.hydrodynamics = Hydrodynamics::lubrication;
         choice.why_hydrodynamics = "Stresslets and lubrication of near pairs: " + numbers + ".";
@@ -285,9 +295,8 @@ SuspensionChoice choose(const Scene& scene) {
     choice.count = settings.volume_fraction * box.gap * box.length * box.width /
                    sizes_of(settings).mean_volume;
     const double pairs = 5.0 * settings.volume_fraction * settings.volume_fraction;
-    const std::string numbers =
-        fmt::format("5 phi^2 = {}, the asked accuracy is {}", percent(pairs),
-                    percent(scene.solver.accuracy));
+    const std::string numbers = fmt::format("5 phi^2 = {}, the asked accuracy is {}",
+                                            percent(pairs), percent(scene.solver.accuracy));
     switch (settings.hydrodynamics) {
     case Hydrodynamics::automatic:
         choice = with_automatic_level(std::move(choice), scene, numbers);
@@ -314,7 +323,8 @@ SuspensionChoice choose(const Scene& scene) {
     } else if (settings.integrator == Integrator::explicit_steps) {
         choice.why_integrator = "integrator = \"explicit\": velocity Verlet, as asked.";
     } else {
-        choice.why_integrator = "The drag is integrated exactly, so that no step is too long for it.";
+        choice.why_integrator =
+            "The drag is integrated exactly, so that no step is too long for it.";
         settings.integrator = Integrator::implicit_drag;
     }
     return choice;
@@ -343,12 +353,12 @@ void plan_suspension(const Scene& scene, const Forecast& forecast, Plan& plan) {
                         : choice.settings.hydrodynamics == Hydrodynamics::stresslet ? "stresslet"
                                                                                     : "lubrication";
     plan.model = fmt::format("suspension, {}", level);
-    plan.model_reason = fmt::format(
-        "The case has particles: their motion is computed one by one, {}. {}",
-        choice.settings.boundary == ParticleBoundary::walls
-            ? "four-way coupled with the fluid between the walls"
-            : "in uniform shear without walls",
-        choice.why_hydrodynamics);
+    plan.model_reason =
+        fmt::format("The case has particles: their motion is computed one by one, {}. {}",
+                    choice.settings.boundary == ParticleBoundary::walls
+                        ? "four-way coupled with the fluid between the walls"
+                        : "in uniform shear without walls",
+                    choice.why_hydrodynamics);
     plan.can_be_solved = true;
     plan.items = items_for(scene, forecast, choice);
     plan.warnings = warnings_for(scene, forecast, choice);

@@ -16,7 +16,8 @@ struct SuspensionChoice {
 };
 
 /// Decides hydrodynamics and integrator: stresslets of isolated spheres up to
-/// 5 phi^2 <= the asked accuracy, pairs beyond (Batchelor & Green 1972: the phi^2 term is 5 to 7.6).
+/// 5 phi^2 <= the asked accuracy, pairs beyond (Batchelor & Green 1972: the phi^2 term is 5
+/// to 7.6).
 [[nodiscard]] SuspensionChoice choose(const Scene& scene);
 
 /// Completes a plan for a scene with particles: model, items, warnings, cost. Throws

@@ -22,8 +22,8 @@ std::vector<double> series_of(std::span<const StressSample> samples, const Pick&
 }
 
 /// Every column of a row by one estimator of a series.
-rheometry::SuspensionStress
-columns_by(bool walls, const std::function<double(const Pick&)>& estimate) {
+rheometry::SuspensionStress columns_by(bool walls,
+                                       const std::function<double(const Pick&)>& estimate) {
     rheometry::SuspensionStress out;
     const auto part = [&](double StressParts::*member, bool wall) {
         return estimate([=](const StressSample& s) { return (wall ? s.wall : s.bulk).*member; });
@@ -53,10 +53,12 @@ rheometry::TorqueRow finished(const rheometry::SuspensionStress& stress, double 
     row.torque = stress.total() * wall_area;
     // The fluid's own part and the isolated stresslets are exact; what the step disturbs are the
     // forces between particles, as the bulk shows them whatever the wall happens to feel.
-    const double disturbed = std::abs(stress.bulk_contact) + std::abs(stress.bulk_dlvo) +
-                             std::abs(stress.bulk_brownian);
-    row.torque_error = (claimed.forces * disturbed +
-                        claimed.films * std::abs(stress.bulk_hydrodynamic) + 1e-6 * std::abs(stress.total())) * wall_area;
+    const double disturbed =
+        std::abs(stress.bulk_contact) + std::abs(stress.bulk_dlvo) + std::abs(stress.bulk_brownian);
+    row.torque_error =
+        (claimed.forces * disturbed + claimed.films * std::abs(stress.bulk_hydrodynamic) +
+         1e-6 * std::abs(stress.total())) *
+        wall_area;
     row.suspension = stress;
     return row;
 }
@@ -91,13 +93,11 @@ rheometry::TorqueRow row_of_hold(std::span<const StressSample> samples, bool wal
             series_of(samples, [&](const StressSample& s) { return total_of(s, walls); }));
     }
     const std::span<const StressSample> kept = samples.subspan(start);
-    rheometry::SuspensionStress stress = columns_by(walls, [&](const Pick& pick) {
-        return mean_of_series(series_of(kept, pick)).mean;
-    });
-    const double error =
-        mean_of_series(
-            series_of(kept, [&](const StressSample& s) { return total_of(s, walls); }))
-            .standard_error;
+    rheometry::SuspensionStress stress = columns_by(
+        walls, [&](const Pick& pick) { return mean_of_series(series_of(kept, pick)).mean; });
+    const double error = mean_of_series(series_of(kept, [&](const StressSample& s) {
+                             return total_of(s, walls);
+                         })).standard_error;
     stress.statistical_error =
         std::isfinite(error) ? error : std::numeric_limits<double>::quiet_NaN();
     const StressSample& last = samples.back();

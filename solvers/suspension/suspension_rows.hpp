@@ -28,7 +28,6 @@ struct ClaimedError {
 
 /// Value at `time` of straight lines through the samples.
 [[nodiscard]] rheometry::TorqueRow row_of_ramp(std::span<const StressSample> samples, bool walls,
-                                               double time, double wall_area,
-                                               ClaimedError claimed);
+                                               double time, double wall_area, ClaimedError claimed);
 
 } // namespace searle::solvers::suspension

@@ -25,7 +25,8 @@ constexpr double particles_per_thread = 10000.0;
 
 int threads_for(std::size_t particles) {
     const auto most = std::max(1U, std::thread::hardware_concurrency());
-    const auto useful = static_cast<unsigned>(static_cast<double>(particles) / particles_per_thread);
+    const auto useful =
+        static_cast<unsigned>(static_cast<double>(particles) / particles_per_thread);
     return static_cast<int>(std::clamp(useful, 1U, std::min(most, 16U)));
 }
 
@@ -44,15 +45,15 @@ particles::ParticleStore packed(const ParticleSettings& settings, const particle
     try {
         return particles::random_packing(request, box);
     } catch (const particles::PackingError& error) {
-        throw UnsuitableScene(
-            fmt::format("particles.volume_fraction = {:.4g}: {}; a smaller fraction, a larger box or "
-                        "another seed may do",
-                        settings.volume_fraction, error.what()));
+        throw UnsuitableScene(fmt::format(
+            "particles.volume_fraction = {:.4g}: {}; a smaller fraction, a larger box or "
+            "another seed may do",
+            settings.volume_fraction, error.what()));
     }
 }
 
-SuspensionInput input_for(const Scene& scene, const SuspensionChoice& choice,
-                          double initial_speed, double fastest_speed) {
+SuspensionInput input_for(const Scene& scene, const SuspensionChoice& choice, double initial_speed,
+                          double fastest_speed) {
     const auto& box = std::get<geometry::Box>(scene.instrument);
     SuspensionInput input;
     input.box = {.length_x = box.length,
@@ -122,8 +123,8 @@ public:
                                    discard, area_, claimed_);
             // One row further where the same piece goes on, so that the fit is centred.
             const bool goes_on =
-                row + 1 < ends.size() && same_piece(history, history.row_times[row],
-                                                    history.row_times[row + 1]);
+                row + 1 < ends.size() &&
+                same_piece(history, history.row_times[row], history.row_times[row + 1]);
             const std::size_t last = goes_on ? ends[row + 1] : ends[row];
             return row_of_ramp(std::span(samples_).subspan(first, last - first), walls_,
                                history.row_times[row], area_, claimed_);
@@ -139,7 +140,8 @@ public:
         try {
             for (const double end : history.row_times) {
                 for (int part = 1; part <= parts; ++part)
-                    sample_until(speed, part == parts ? end : before + (end - before) * part / parts);
+                    sample_until(speed,
+                                 part == parts ? end : before + (end - before) * part / parts);
                 ends.push_back(replayed_);
                 before = end;
             }
@@ -167,8 +169,8 @@ public:
                 bool settled = false;
                 for (double strain = 2.0; strain <= steady_strain_cap && !settled; strain += 1.0) {
                     while (time_after(replayed_) < start + (strain - 1e-6) / rate)
-                        sample_until(speed, time_after(replayed_) +
-                                                1.0 / (samples_per_strain * rate));
+                        sample_until(speed,
+                                     time_after(replayed_) + 1.0 / (samples_per_strain * rate));
                     row = row_of_hold(std::span(samples_).subspan(first, replayed_ - first), walls_,
                                       -1.0, area_, claimed_);
                     settled = row.suspension->statistical_error <=
@@ -182,8 +184,9 @@ public:
                     report.solution.notes.push_back(fmt::format(
                         "At {:.4g} 1/s the statistical error is still {:.2g} % after a strain of "
                         "{:.0f}, where a hold = \"steady\" ends.",
-                        rate, 100.0 * row.suspension->statistical_error /
-                                  std::abs(row.suspension->total()),
+                        rate,
+                        100.0 * row.suspension->statistical_error /
+                            std::abs(row.suspension->total()),
                         steady_strain_cap));
                 }
             }
@@ -255,8 +258,8 @@ private:
             report.solution.worst_relative_error =
                 std::max(report.solution.worst_relative_error, row.torque_error / size);
             const double bulk = row.suspension->bulk_total() * area_;
-            report.solution.worst_torque_imbalance =
-                std::max(report.solution.worst_torque_imbalance, std::abs(row.torque - bulk) / size);
+            report.solution.worst_torque_imbalance = std::max(
+                report.solution.worst_torque_imbalance, std::abs(row.torque - bulk) / size);
         }
         if (row.torque_error > scene_.solver.accuracy * size && size > 0.0)
             report.solution.reached = false;

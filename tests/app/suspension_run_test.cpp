@@ -104,9 +104,9 @@ TEST(CheckpointFile, comes_back_bit_for_bit_and_is_refused_to_others) {
     const auto back = read_checkpoint(file, "a");
     ASSERT_TRUE(back.has_value());
     ASSERT_EQ(back->column("values").size(), values.size());
-    EXPECT_EQ(std::memcmp(back->column("values").data(), values.data(),
-                          values.size() * sizeof(double)),
-              0);
+    EXPECT_EQ(
+        std::memcmp(back->column("values").data(), values.data(), values.size() * sizeof(double)),
+        0);
     EXPECT_TRUE(back->column("none").empty());
     EXPECT_THROW(static_cast<void>(read_checkpoint(file, "b")), searle::app::CheckpointError);
     std::ofstream(file, std::ios::binary) << "no HDF5";

@@ -60,7 +60,8 @@ TEST(Hamaker, has_the_limits_of_touching_and_of_distant_spheres) {
     EXPECT_NEAR(law.attraction(1e-14, a, a) / (6e-20 * a / (12.0 * 1e-28)), 1.0, 1e-6);
     // Point dipoles: E = -(16/9) A a^6 / r^6, so F = (32/3) A a^6 / r^7; correction (a/r)^2.
     const double r = 1e3 * a;
-    EXPECT_NEAR(law.attraction(r - 2 * a, a, a) / (32.0 / 3.0 * 6e-20 * std::pow(a, 6) / std::pow(r, 7)),
+    EXPECT_NEAR(law.attraction(r - 2 * a, a, a) /
+                    (32.0 / 3.0 * 6e-20 * std::pow(a, 6) / std::pow(r, 7)),
                 1.0, 2e-5);
 }
 
@@ -85,7 +86,8 @@ TEST(DoubleLayer, repulsion_is_the_derivative_of_the_energy) {
 
 TEST(DoubleLayer, equal_spheres_have_the_familiar_prefactor) {
     const auto weak = zirconia<colloid::WeakOverlap>(0.0).layer;
-    EXPECT_DOUBLE_EQ(weak.prefactor(1e-6, 1e-6), 2 * std::numbers::pi * weak.permittivity * 1e-6 * 32e-3 * 32e-3);
+    EXPECT_DOUBLE_EQ(weak.prefactor(1e-6, 1e-6),
+                     2 * std::numbers::pi * weak.permittivity * 1e-6 * 32e-3 * 32e-3);
 }
 
 /// Table of physics.md section 4, recomputed independently of this code: barrier and secondary
@@ -160,7 +162,8 @@ TEST(DiFelice, is_the_formula_as_published) {
     const double re = rho * 2 * r * eps * slip / mu;
     const double cd = std::pow(0.63 + 4.8 / std::sqrt(re), 2);
     const double chi = 3.7 - 0.65 * std::exp(-std::pow(1.5 - std::log10(re), 2) / 2);
-    const double force = 0.5 * cd * rho * std::numbers::pi * r * r * slip * slip * std::pow(eps, 2 - chi);
+    const double force =
+        0.5 * cd * rho * std::numbers::pi * r * r * slip * slip * std::pow(eps, 2 - chi);
     EXPECT_NEAR(drag::DiFelice({mu, rho}).coefficient(r, slip, eps) * slip / force, 1.0, 1e-13);
 }
 

@@ -117,8 +117,7 @@ TEST(InertialMotion, diffuses_with_einsteins_coefficient) {
         const double einstein = laws::colloid::boltzmann * 293.15 /
                                 (6 * std::numbers::pi * testing::water_viscosity * 0.75e-6);
         // Ornstein and Uhlenbeck: <x^2> = 2 D (t - tau (1 - exp(-t / tau))).
-        const double expected =
-            2 * einstein * (duration - tau * (1.0 - std::exp(-duration / tau)));
+        const double expected = 2 * einstein * (duration - tau * (1.0 - std::exp(-duration / tau)));
         const double samples = 3.0 * static_cast<double>(count);
         // Four standard errors of a variance.
         EXPECT_NEAR(sum / samples / expected, 1.0, 4 * std::sqrt(2.0 / samples)) << step;
@@ -213,7 +212,8 @@ TEST(InertialMotion, a_step_that_cannot_be_taken_names_the_pair) {
     pack(input);
     InertialMotion motion(input);
     try {
-        run(motion, [](double) { return 1e4 * 15e-6; }, 1e-3);
+        run(
+            motion, [](double) { return 1e4 * 15e-6; }, 1e-3);
         FAIL() << "a contact this soft cannot carry the flow";
     } catch (const StepFailure& failure) {
         EXPECT_NE(std::string(failure.what()).find("overlap"), std::string::npos);

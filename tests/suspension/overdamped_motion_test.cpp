@@ -70,8 +70,8 @@ TEST(OverdampedMotion, a_pair_in_shear_leaves_as_it_came) {
 }
 
 TEST(OverdampedMotion, two_spheres_pushed_together_close_with_the_films_resistance) {
-    // Drag and film in the line of centres: U (6 pi mu a + 2 X) = F for each, so the gap closes with
-    // 2 F / (6 pi mu a + 2 X), X of equal spheres 6 pi mu a / (4 xi).
+    // Drag and film in the line of centres: U (6 pi mu a + 2 X) = F for each, so the gap closes
+    // with 2 F / (6 pi mu a + 2 X), X of equal spheres 6 pi mu a / (4 xi).
     SuspensionInput input = bulk(40e-6, 1e-4, 1e-6);
     const double a = 0.75e-6;
     const double gap = 30e-9;

@@ -106,7 +106,8 @@ TEST(HookeContact, spheres_that_roll_on_each_other_do_not_rub) {
 }
 
 TEST(HookeContact, a_rigidly_turning_pair_keeps_its_spring) {
-    // A pair that turns as one body has no sliding, so the spring stays what it was and turns along.
+    // A pair that turns as one body has no sliding, so the spring stays what it was and turns
+    // along.
     const laws::contact::Hooke law{
         .normal_stiffness = 1e3, .tangential_stiffness = 1e3, .friction = 100.0};
     ParticleStore p;
@@ -124,8 +125,8 @@ TEST(HookeContact, a_rigidly_turning_pair_keeps_its_spring) {
 TEST(HookeContact, energy_is_conserved_without_damping) {
     // 200 spheres in a periodic box, elastic and frictionless: kinetic plus spring energy.
     const laws::contact::Hooke law{.normal_stiffness = 1e3};
-    ShearBox box{.length_x = 14 * radius, .length_y = 14 * radius, .length_z = 14 * radius,
-                 .walls = false};
+    ShearBox box{
+        .length_x = 14 * radius, .length_y = 14 * radius, .length_z = 14 * radius, .walls = false};
     ParticleStore p;
     for (int k = 0; k < 216; ++k)
         p.add((2.3 * (k % 6) + 0.5) * radius, (2.3 * (k / 6 % 6) + 0.5) * radius,

@@ -141,10 +141,12 @@ TEST(Packing, has_no_overlap_up_to_sixty_percent) {
         for (const double fraction : {0.05, 0.3, 0.5, 0.6}) {
             if (walls && fraction > 0.55)
                 continue; // walls cost density; what is reached is tested below
-            const ShearBox box{.length_x = 12e-6, .length_y = 12e-6, .length_z = 12e-6,
-                               .walls = walls};
-            const PackingRequest request{
-                .sizes = {{1.0e-6, 1.0}}, .volume_fraction = fraction, .density = 1000.0, .seed = 5};
+            const ShearBox box{
+                .length_x = 12e-6, .length_y = 12e-6, .length_z = 12e-6, .walls = walls};
+            const PackingRequest request{.sizes = {{1.0e-6, 1.0}},
+                                         .volume_fraction = fraction,
+                                         .density = 1000.0,
+                                         .seed = 5};
             const ParticleStore p = random_packing(request, box);
             EXPECT_LT(largest_overlap(p, box), 1e-6 * 1e-6) << fraction;
             EXPECT_NEAR(p.total_volume() / box.volume() / fraction, 1.0, 0.01);
@@ -167,8 +169,11 @@ TEST(Packing, keeps_the_shares_of_a_mixture) {
 
 TEST(Packing, spreads_the_sizes_lognormally) {
     const ShearBox box{.length_x = 100e-6, .length_y = 100e-6, .length_z = 100e-6, .walls = false};
-    const PackingRequest request{
-        .sizes = {{1.0e-6, 1.0}}, .spread = 0.3, .volume_fraction = 0.05, .density = 1.0, .seed = 2};
+    const PackingRequest request{.sizes = {{1.0e-6, 1.0}},
+                                 .spread = 0.3,
+                                 .volume_fraction = 0.05,
+                                 .density = 1.0,
+                                 .seed = 2};
     const std::vector<double> radii = radii_for(request, box);
     double mean = 0.0;
     double square = 0.0;

@@ -37,13 +37,12 @@ inline ColloidSettings zirconia_colloid() {
 
 /// Places the particles at random.
 inline void pack(SuspensionInput& input, std::uint64_t seed = 1) {
-    input.particles =
-        particles::random_packing({.sizes = {{*input.settings.diameter, 1.0}},
-                                   .volume_fraction = input.settings.volume_fraction,
-                                   .density = input.settings.density,
-                                   .gap = input.settings.dlvo ? 30e-9 : 0.0,
-                                   .seed = seed},
-                                  input.box);
+    input.particles = particles::random_packing({.sizes = {{*input.settings.diameter, 1.0}},
+                                                 .volume_fraction = input.settings.volume_fraction,
+                                                 .density = input.settings.density,
+                                                 .gap = input.settings.dlvo ? 30e-9 : 0.0,
+                                                 .seed = seed},
+                                                input.box);
 }
 
 } // namespace searle::solvers::suspension::testing
