@@ -22,11 +22,10 @@ void check_conversion(const CaseAsWritten& written, Findings& findings) {
     if (is_box && findings.given("conversion.end_factor"))
         findings.contradiction({"conversion.end_factor", "geometry.type"},
                                "a box has no ends to correct for", "no end_factor");
-    else if (conversion.end_factor_computed &&
-             !std::holds_alternative<geometry::DinBob>(instrument))
+    else if (conversion.end_factor_computed && !geometry::has_ends(instrument))
         findings.contradiction({"conversion.end_factor", "geometry.type"},
                                fmt::format("a {} has no ends to compute the factor of", name),
-                               "a number; \"computed\" is for the din-bob");
+                               "a number; \"computed\" is for the din-bob and for ends = true");
 }
 
 /// A speed of a kind that the instrument's drive does not have.

@@ -65,7 +65,9 @@ std::vector<report::Fact> facts_of(const RunSummary& summary) {
         {"largest estimated error",
          fmt::format("{:.2g} of the stress", solver.worst_relative_error)}};
     if (summary.transient) {
-        facts.push_back({"elements across the gap", fmt::format("{}", solver.elements)});
+        facts.push_back(
+            {solver.model == "axisymmetric" ? "elements of the section" : "elements across the gap",
+             fmt::format("{}", solver.elements)});
         facts.push_back({"grid levels", fmt::format("{}", solver.refinements)});
         facts.push_back({"time steps", fmt::format("{}", solver.time_steps)});
         facts.push_back({"linear systems solved", fmt::format("{}", solver.linear_solves)});

@@ -1,6 +1,7 @@
 #include "app/solved_case.hpp"
 
 #include "solvers/meridional/bob_solver.hpp"
+#include "solvers/meridional/vortex_solver.hpp"
 #include "solvers/suspension/suspension_solver.hpp"
 
 #include <fmt/format.h>
@@ -76,6 +77,8 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
         solved.solution =
             solvers::suspension::solve_suspension(scene, solved.plan, progress, checkpointing)
                 .solution;
+    } else if (solved.plan.vortices) {
+        solved.solution = solvers::meridional::solve_with_vortices(scene, solved.plan, progress);
     } else if (solved.plan.model == "axisymmetric") {
         solvers::axisymmetric::AxisymmetricReport report =
             solvers::meridional::solve_bob(scene, solved.plan, progress);

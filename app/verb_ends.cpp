@@ -52,10 +52,11 @@ std::vector<double> speeds_of(const EndsOptions& options, const solvers::Scene& 
 
 int ends(const EndsOptions& options) {
     const Case source = read_case(options.case_file, options.overrides);
-    if (!std::holds_alternative<geometry::DinBob>(source.scene.instrument))
-        throw EngineMissing(
-            fmt::format("{}: geometry.type: a {} is a slice without ends; a din-bob has them",
-                        source.file.string(), geometry::name_of(source.scene.instrument)));
+    if (!geometry::has_ends(source.scene.instrument))
+        throw EngineMissing(fmt::format(
+            "{}: geometry.type: this {} is a slice without ends; a din-bob has them, and so has a "
+            "single-gap or double-gap with ends = true",
+            source.file.string(), geometry::name_of(source.scene.instrument)));
     const std::vector<double> speeds = speeds_of(options, source.scene);
     EndEffectTable table;
     {

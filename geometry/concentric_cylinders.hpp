@@ -3,12 +3,18 @@
 namespace searle::geometry {
 
 /// Single gap: a bob turning inside a fixed cup, about their common vertical axis.
-/// All lengths in metres; valid when 0 < bob_radius < cup_radius and height > 0.
+/// All lengths in metres; valid when 0 < bob_radius < cup_radius and height > 0. z = 0 is the bob's
+/// lower edge.
 struct ConcentricCylinders {
     double bob_radius{};
     double cup_radius{};
     /// Wetted length that the torque is for.
     double height{};
+    /// The fluid below and above the bob is part of the instrument; else a slice without ends.
+    bool ends = false;
+    double bottom_gap{};   ///< m, from the bob's flat bottom to the cup's floor; > 0 with ends
+    double top_gap{};      ///< m, from the bob's top to the free surface; 0: not covered
+    double shaft_radius{}; ///< m, where the top is covered
 
     /// Width of the annular gap, m.
     [[nodiscard]] constexpr double gap() const { return cup_radius - bob_radius; }

@@ -12,6 +12,9 @@ struct DoubleGap {
     std::array<double, 4> radii{};
     /// Wetted length of the rotor that the torque is for, m.
     double height{};
+    /// The fluid under the rotor is part of the instrument; else a slice without ends.
+    bool ends = false;
+    double bottom_gap{}; ///< m, from the rotor's lower edge to the floor; > 0 with ends
 
     /// Width of the gap between post and rotor, m.
     [[nodiscard]] constexpr double inner_gap() const { return radii[1] - radii[0]; }

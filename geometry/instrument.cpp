@@ -14,4 +14,19 @@ std::string_view name_of(const Instrument& instrument) {
 
 bool rotates(const Instrument& instrument) { return !std::holds_alternative<Box>(instrument); }
 
+bool has_ends(const Instrument& instrument) {
+    return std::visit(
+        [](const auto& chosen) {
+            using Kind = std::decay_t<decltype(chosen)>;
+            if constexpr (std::is_same_v<Kind, DinBob>) {
+                return true;
+            } else if constexpr (std::is_same_v<Kind, Box>) {
+                return false;
+            } else {
+                return chosen.ends;
+            }
+        },
+        instrument);
+}
+
 } // namespace searle::geometry

@@ -19,4 +19,8 @@ using Instrument = std::variant<ConcentricCylinders, DoubleGap, DinBob, Box>;
 /// false for the box, whose wall translates (speed in m/s, response a force in N).
 [[nodiscard]] bool rotates(const Instrument& instrument);
 
+/// The fluid beyond the ends of the gap is part of the instrument: a DIN bob, a single or double
+/// gap with ends = true.
+[[nodiscard]] bool has_ends(const Instrument& instrument);
+
 } // namespace searle::geometry

@@ -44,6 +44,17 @@ bool needs_secondary_flow(const Scene& scene, const Forecast& forecast) {
            });
 }
 
+/// Vortices past the onset are solved in gaps whose ends are left out; with a yield stress the
+/// onset is an estimate and nothing here follows what comes after it.
+bool needs_vortices(const Scene& scene, const Forecast& forecast) {
+    const bool has_gap = std::holds_alternative<geometry::ConcentricCylinders>(scene.instrument) ||
+                         std::holds_alternative<geometry::DoubleGap>(scene.instrument);
+    return has_gap && !has_ends(scene) && scene.solver.model != Model::radial &&
+           scene.solver.secondary_flow != Switch::off &&
+           !(laws::flow::yield_stress(scene.fluid.law) > 0.0) && forecast.taylor &&
+           forecast.taylor->largest_ratio > 1.0;
+}
+
 std::string why_radial(const Scene& scene) {
     struct Reason {
         std::string operator()(const geometry::ConcentricCylinders&) const {
@@ -88,17 +99,18 @@ Choice choose(const Scene& scene, const Forecast& forecast, bool transient) {
         return {
             "openfoam",
             fmt::format("solver.engine = \"openfoam\": this version cannot drive OpenFOAM yet.{}",
-                        is_din_bob(scene)
+                        has_ends(scene)
                             ? ""
                             : " engine = \"native\" solves this scene with the radial model."),
             false, false};
     }
-    if (asked == Model::three_dimensional || (asked == Model::axisymmetric && !is_din_bob(scene))) {
-        const char* name = asked == Model::axisymmetric ? "axisymmetric" : "3d";
-        return {name,
+    const bool has_axis = !is_box(scene);
+    if (asked == Model::three_dimensional || (asked == Model::axisymmetric && !has_axis)) {
+        return {asked == Model::axisymmetric ? "axisymmetric" : "3d",
                 fmt::format("solver.model = \"{}\": this version has no such model of this "
                             "instrument. model = \"auto\" solves this scene with the {} model.",
-                            name, is_din_bob(scene) ? "axisymmetric" : "radial"),
+                            asked == Model::axisymmetric ? "axisymmetric" : "3d",
+                            has_ends(scene) ? "axisymmetric" : "radial"),
                 false, false};
     }
     if (asked == Model::radial && forecast.conversion.end_factor_provisional) {
@@ -109,9 +121,17 @@ Choice choose(const Scene& scene, const Forecast& forecast, bool transient) {
             "for c_L (the default is 1.10).",
             false, false};
     }
-    if (is_din_bob(scene) && asked != Model::radial) {
+    if (needs_vortices(scene, forecast)) {
         return {"axisymmetric",
-                fmt::format("The flow around a DIN bob's ends is axisymmetric: {}, in the whole "
+                fmt::format("Re / Re_c reaches {:.4g}: Taylor vortices in an axially periodic cell "
+                            "on top of the laminar flow in the gap; {}.",
+                            forecast.taylor->largest_ratio,
+                            why_transient(scene, forecast, transient)),
+                true, false};
+    }
+    if (has_ends(scene) && asked != Model::radial) {
+        return {"axisymmetric",
+                fmt::format("The flow around the rotor's ends is axisymmetric: {}, in the whole "
                             "section; {}.",
                             needs_secondary_flow(scene, forecast)
                                 ? "the angular velocity w(r, z) and the secondary flow u_r, u_z, p"
@@ -120,16 +140,20 @@ Choice choose(const Scene& scene, const Forecast& forecast, bool transient) {
                 true, false};
     }
     return {transient ? "radial transient" : "radial steady",
-            fmt::format("{}; {}.", why_radial(scene), why_transient(scene, forecast, transient)),
+            fmt::format("{}{}; {}.", why_radial(scene),
+                        asked == Model::axisymmetric
+                            ? ": below the onset of Taylor vortices the axisymmetric model is this"
+                            : "",
+                        why_transient(scene, forecast, transient)),
             true, true};
 }
 
 std::vector<std::string> choice_warnings(const Scene& scene, const Choice& choice) {
     std::vector<std::string> warnings;
-    if (choice.is_radial && is_din_bob(scene)) {
-        warnings.emplace_back("The radial model is an explicit choice for this DIN bob: it ignores "
-                              "the flow around cone, top and shaft and its inertia, and takes them "
-                              "as a factor c_L on the endless bob's torque.");
+    if (choice.is_radial && has_ends(scene)) {
+        warnings.emplace_back("The radial model is an explicit choice for this instrument: it "
+                              "ignores the flow around the rotor's ends and its inertia, and takes "
+                              "them as a factor c_L on the endless rotor's torque.");
     }
     if (choice.is_radial && scene.solver.secondary_flow == Switch::on) {
         warnings.emplace_back(
@@ -153,12 +177,14 @@ Plan make_plan(const Scene& scene) {
     }
     plan.can_be_solved = choice.can_be_solved;
     plan.secondary_flow = choice.can_be_solved && needs_secondary_flow(scene, forecast);
+    plan.vortices = choice.can_be_solved && needs_vortices(scene, forecast);
     plan.items = plan_items(scene, forecast,
                             {.radial = choice.is_radial,
                              .transient = plan.transient,
-                             .secondary_flow = plan.secondary_flow});
+                             .secondary_flow = plan.secondary_flow,
+                             .vortices = plan.vortices});
     plan.warnings = choice_warnings(scene, choice);
-    for (std::string& warning : plan_warnings(scene, forecast)) {
+    for (std::string& warning : plan_warnings(scene, forecast, plan.vortices)) {
         plan.warnings.push_back(std::move(warning));
     }
     if (choice.is_radial) {

@@ -54,6 +54,8 @@ struct Plan {
     bool transient{};
     /// The flow in r and z around a DIN bob's ends is solved for, too.
     bool secondary_flow{};
+    /// Taylor vortices in the gap outside the rotor are solved for, too.
+    bool vortices{};
     bool can_be_solved =
         true; ///< false: nothing in this program solves it yet; model_reason says why
     std::vector<PlanItem> items;

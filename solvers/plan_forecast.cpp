@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace searle::solvers {
 namespace {
@@ -195,7 +196,7 @@ private:
 
 } // namespace
 
-double end_flow_share(const geometry::DinBob& bob, double reynolds) {
+double end_flow_share(double radius_ratio, double length_ratio, double reynolds) {
     // M / M_creeping - 1 of the ISO bob: Re^2 at first, Re^0.8 where boundary layers form.
     constexpr double slow = 9.7e-7;
     constexpr double turning_point = 185.0;
@@ -207,7 +208,7 @@ double end_flow_share(const geometry::DinBob& bob, double reynolds) {
     constexpr double iso_length = 3.0;
     const auto narrowness = [](double ratio) { return 1.0 - 1.0 / (ratio * ratio); };
     const double cylinder =
-        bob.length_ratio / iso_length * narrowness(iso_ratio) / narrowness(bob.radius_ratio());
+        length_ratio / iso_length * narrowness(iso_ratio) / narrowness(radius_ratio);
     const double extra = iso / cylinder;
     return extra / (1.0 + extra);
 }
@@ -229,7 +230,7 @@ Forecast forecast(const Scene& scene) {
         times = settling_times(curve, 0.0, speeds, scene.solver.accuracy);
     }
 
-    const bool has_ends = std::holds_alternative<geometry::DinBob>(scene.instrument);
+    const bool has_ends = geometry::has_ends(scene.instrument);
     const double end_factor = has_ends ? result.conversion.end_factor : 1.0;
     const InstrumentGap& decisive = curve.gaps().back();
     const bool is_plane = decisive.plane_width > 0.0;
@@ -268,8 +269,11 @@ Forecast forecast(const Scene& scene) {
                 }
             }
             if (has_ends) {
-                facts.end_flow_share = end_flow_share(std::get<geometry::DinBob>(scene.instrument),
-                                                      facts.end_reynolds);
+                const double radius = decisive.annulus.inner_radius;
+                const double height =
+                    decisive.torque_per_stress / (2.0 * std::numbers::pi * radius * radius);
+                facts.end_flow_share = end_flow_share(decisive.annulus.outer_radius / radius,
+                                                      height / radius, facts.end_reynolds);
                 row.end_flow_share = facts.end_flow_share;
             }
             facts.definition_error =

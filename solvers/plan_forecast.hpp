@@ -36,6 +36,8 @@ struct Forecast {
 /// solved flow of a Newtonian fluid around the ISO 3219 bob (docs/secondary-flow.md), within 8 % of
 /// it for Re 0 ... 1500; other gaps and lengths by the torque of the cylinder.
 /// @param reynolds  omega R_bob^2 / nu
-[[nodiscard]] double end_flow_share(const geometry::DinBob& bob, double reynolds);
+/// @param radius_ratio  cup over bob, > 1
+/// @param length_ratio  wetted cylinder over R_bob, > 0
+[[nodiscard]] double end_flow_share(double radius_ratio, double length_ratio, double reynolds);
 
 } // namespace searle::solvers

@@ -40,12 +40,22 @@ PlanItem ends_item(const Scene& scene, const Forecast& forecast, PlannedModel mo
     if (is_box(scene)) {
         return {"ends", false, "The box stands for a part of an endless gap: it has no ends."};
     }
+    if (has_ends(scene) && !model.radial && !is_din_bob(scene)) {
+        return {"ends", true,
+                "ends = true: the fluid beyond the rotor's ends is part of the section, and c_L is "
+                "computed."};
+    }
     if (is_din_bob(scene) && !model.radial) {
         return {
             "ends", true,
             "Cone, top and shaft carry about a tenth of the torque: c_L is 1.0887 for a Newtonian "
             "fluid in creeping flow in the standard geometry, up to 1.26 for shear-thinning and "
             "yield-stress fluids."};
+    }
+    if (has_ends(scene) && !is_din_bob(scene)) {
+        return {"ends", false,
+                fmt::format("The torque on the rotor's ends enters through c_L = {:.5g} alone.",
+                            end_factor)};
     }
     if (is_din_bob(scene)) {
         return {
@@ -84,7 +94,7 @@ PlanItem secondary_flow_item(const Scene& scene, const Forecast& forecast, bool 
     if (is_box(scene)) {
         return {"secondary flow", false, "Plane shear has straight streamlines."};
     }
-    if (!is_din_bob(scene)) {
+    if (!has_ends(scene)) {
         return {
             "secondary flow", false,
             "Without ends nothing drives a flow in r and z below the onset of Taylor vortices."};
@@ -99,7 +109,7 @@ PlanItem secondary_flow_item(const Scene& scene, const Forecast& forecast, bool 
                         secondary_flow_decision(scene, is_solved))};
 }
 
-PlanItem taylor_item(const Forecast& forecast) {
+PlanItem taylor_item(const Forecast& forecast, bool is_solved) {
     if (!forecast.taylor) {
         const std::size_t worst =
             row_of_largest(forecast, [&](std::size_t i) { return forecast.facts[i].reynolds; });
@@ -112,7 +122,7 @@ PlanItem taylor_item(const Forecast& forecast) {
     const TaylorOnset& taylor = *forecast.taylor;
     const std::size_t above =
         count_rows(forecast, [&](std::size_t i) { return forecast.rows[i].taylor_ratio > 1.0; });
-    return {"Taylor vortices", false,
+    return {"Taylor vortices", is_solved,
             fmt::format("Re = R omega d / nu reaches {:.4g}, the critical value is {:.6g}; largest "
                         "Re / Re_c {:.3g}, {} above the onset.",
                         taylor.reynolds, taylor.critical_reynolds, taylor.largest_ratio,
@@ -158,7 +168,7 @@ PlanItem mesh_item(PlannedModel model) {
 std::vector<PlanItem> plan_items(const Scene& scene, const Forecast& forecast, PlannedModel model) {
     return {inertia_item(scene, forecast, model.transient),
             yield_item(scene, forecast),
-            taylor_item(forecast),
+            taylor_item(forecast, model.vortices),
             secondary_flow_item(scene, forecast, model.secondary_flow),
             ends_item(scene, forecast, model),
             mesh_item(model),

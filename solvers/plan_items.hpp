@@ -12,6 +12,7 @@ struct PlannedModel {
     bool radial = true;
     bool transient{};
     bool secondary_flow{};
+    bool vortices{};
 };
 
 /// What the plan solves and what it skips, each with its number.
@@ -19,6 +20,8 @@ struct PlannedModel {
                                                PlannedModel model);
 
 /// What the user should know before believing the result.
-[[nodiscard]] std::vector<std::string> plan_warnings(const Scene& scene, const Forecast& forecast);
+/// @param vortices  Plan::vortices
+[[nodiscard]] std::vector<std::string> plan_warnings(const Scene& scene, const Forecast& forecast,
+                                                     bool vortices);
 
 } // namespace searle::solvers

@@ -13,6 +13,9 @@ namespace searle::solvers {
 [[nodiscard]] inline bool is_din_bob(const Scene& scene) {
     return std::holds_alternative<geometry::DinBob>(scene.instrument);
 }
+[[nodiscard]] inline bool has_ends(const Scene& scene) {
+    return geometry::has_ends(scene.instrument);
+}
 [[nodiscard]] inline bool is_newtonian(const Scene& scene) {
     return std::holds_alternative<laws::flow::Newtonian>(scene.fluid.law);
 }

@@ -9,13 +9,14 @@
 namespace searle::solvers {
 namespace {
 
-std::string taylor_warning(const Forecast& forecast) {
+std::string taylor_warning(const Forecast& forecast, bool are_solved) {
     const std::size_t above =
         count_rows(forecast, [&](std::size_t i) { return forecast.rows[i].taylor_ratio > 1.0; });
     return fmt::format(
-        "Taylor vortices at {}, from a shear rate of {:.4g} 1/s on: the radial model "
-        "reports the laminar torque there, an instrument shows a larger one.",
-        rows_of(above, forecast.rows.size()), forecast.taylor->onset_shear_rate.value_or(0.0));
+        "Taylor vortices at {}, from a shear rate of {:.4g} 1/s on: {}.",
+        rows_of(above, forecast.rows.size()), forecast.taylor->onset_shear_rate.value_or(0.0),
+        are_solved ? "their torque is in the result, not in the fluid's flow curve"
+                   : "the result has the laminar torque there, an instrument shows a larger one");
 }
 
 std::string partly_sheared_warning(const Forecast& forecast, std::size_t partly) {
@@ -55,11 +56,12 @@ std::string lag_warning(const Forecast& forecast, std::size_t lagging) {
 
 } // namespace
 
-std::vector<std::string> plan_warnings(const Scene& scene, const Forecast& forecast) {
+std::vector<std::string> plan_warnings(const Scene& scene, const Forecast& forecast,
+                                       bool vortices) {
     std::vector<std::string> warnings;
     const double accuracy = scene.solver.accuracy;
     if (forecast.taylor && forecast.taylor->largest_ratio > 1.0) {
-        warnings.push_back(taylor_warning(forecast));
+        warnings.push_back(taylor_warning(forecast, vortices));
     }
     if (is_box(scene)) {
         // Lower bound of sustained turbulence in plane Couette flow, Re = U h / (4 nu) = 325
@@ -87,7 +89,7 @@ std::vector<std::string> plan_warnings(const Scene& scene, const Forecast& forec
     if (!is_newtonian(scene) && std::abs(forecast.facts[furthest].definition_error) > accuracy) {
         warnings.push_back(definition_warning(scene, forecast, furthest));
     }
-    if (is_din_bob(scene)) {
+    if (has_ends(scene)) {
         const std::size_t ends = count_rows(
             forecast, [&](std::size_t i) { return forecast.facts[i].end_flow_share > accuracy; });
         if (ends > 0) {
@@ -105,7 +107,8 @@ std::vector<std::string> plan_warnings(const Scene& scene, const Forecast& forec
             percent(std::abs(1.0 / forecast.conversion.end_factor - 1.0)),
             forecast.conversion.end_factor > 1.0 ? "lower" : "higher"));
     }
-    if (const double height = slenderness(scene.instrument); height > 0.0 && height < 10.0) {
+    if (const double height = slenderness(scene.instrument);
+        height > 0.0 && height < 10.0 && !has_ends(scene)) {
         warnings.push_back(
             fmt::format("The gap is only {:.3g} times as high as wide: the ends that "
                         "are left out would matter in an instrument.",

@@ -28,6 +28,10 @@ struct SolverSettings {
     /// Asked-for relative error of every shear stress, 1e-10 <= accuracy < 1.
     double accuracy = 1e-3;
     Switch secondary_flow = Switch::automatic;
+    /// Axial period of Taylor vortices, m; without a value the most unstable one.
+    std::optional<double> vortex_wavelength;
+    /// What vortices grow from in time: unevenness of the rotor's speed along the axis.
+    double disturbance = 1e-3;
 };
 
 struct OutputSettings {

@@ -56,6 +56,29 @@ casefile::Keys<SolverSettings> solver_keys() {
         .word("auto", "where it matters")
         .example("auto")
         .says("Flow in the (r, z) plane beside the swirl, for the axisymmetric model.");
+    keys.custom(
+            "vortex_wavelength",
+            [](SolverSettings& settings, const casefile::Value& value) {
+                casefile::Slot<std::optional<double>>::store(settings.vortex_wavelength, value);
+            },
+            [](const SolverSettings& settings) -> std::optional<casefile::Value> {
+                return settings.vortex_wavelength ? casefile::Value{*settings.vortex_wavelength}
+                                                  : casefile::Value{std::string{"auto"}};
+            })
+        .measures(casefile::length)
+        .above("0 m")
+        .at_most("10 m")
+        .word("auto", "the most unstable one")
+        .example("4 mm")
+        .not_in_new()
+        .says("Axial period of Taylor vortices (two of them) past their onset.");
+    keys.key("disturbance", &SolverSettings::disturbance)
+        .is_number()
+        .above("0")
+        .at_most("0.1")
+        .example("1e-3")
+        .not_in_new()
+        .says("Unevenness of the rotor's speed along its axis, which Taylor vortices grow from.");
     return keys;
 }
 

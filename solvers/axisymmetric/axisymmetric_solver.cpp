@@ -56,7 +56,7 @@ void add_end_flow(const Plan& plan, std::vector<rheometry::TorqueRow>& rows) {
 
 /// The creeping flow at some rows: fields converge more slowly than the torque.
 std::vector<rheometry::fields::SectionFields>
-steady_fields(const geometry::DinBob& bob, const Scene& scene,
+steady_fields(const SectionShape& shape, const Scene& scene,
               const std::vector<rheometry::TorqueRow>& rows, std::span<const std::size_t> chosen,
               const ProgressSink& progress) {
     constexpr double sharper = 0.2;
@@ -67,11 +67,11 @@ steady_fields(const geometry::DinBob& bob, const Scene& scene,
             continue;
         }
         const CreepingSwirl swirl =
-            creeping_swirl(bob, scene.fluid.law, std::abs(row.speed),
+            creeping_swirl(shape, scene.fluid.law, std::abs(row.speed),
                            {.accuracy = sharper * scene.solver.accuracy}, progress);
         auto section =
             swirl_fields({.mesh = swirl.level->mesh(),
-                          .length = bob.bob_radius,
+                          .length = shape.unit(),
                           .degree = swirl.level->rotation_space().degree(),
                           .rotation = swirl.level->rotation(),
                           .speed = row.speed,
@@ -104,17 +104,20 @@ std::string range_text(const std::vector<double>& factors) {
 
 AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
                                       const ProgressSink& progress) {
-    const auto& bob = std::get<geometry::DinBob>(scene.instrument);
+    const SectionShape shape = section_shape(scene.instrument).value();
     const double accuracy = scene.solver.accuracy;
     AxisymmetricReport report;
     radial::RadialReport& solution = report.solution;
     std::vector<rheometry::TorqueRow>& rows = solution.history.rows;
-    try {
+    {
         const std::vector<double> speeds = speeds_of(plan);
         const double rate_per_speed =
             rheometry::conversion_for(scene.instrument, scene.conversion).rate_per_speed;
-        const EndFactorCurve ends(bob, scene.fluid.law, speeds, 0.5 * accuracy, progress);
+        const EndFactorCurve ends(shape, scene.fluid.law, speeds, 0.5 * accuracy, progress);
         for (const RowForecast& forecast : plan.rows) {
+            if (forecast.speed != 0.0 && !ends.has(forecast.speed)) {
+                break;
+            }
             const EndFactorCurve::Value value =
                 forecast.speed == 0.0 ? EndFactorCurve::Value{} : ends.at(forecast.speed);
             rows.push_back(steady_row(scene, forecast, value));
@@ -131,10 +134,11 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
                                        .upper = bound(value.upper)});
             }
         }
+        solution.elements = ends.elements();
         solution.refinements = ends.levels();
         solution.linear_solves = ends.newton_steps();
         solution.unknowns = ends.unknowns();
-        if (ends.solutions() > 0) {
+        if (ends.solutions() > 0 && !ends.interrupted()) {
             const auto fastest =
                 *std::max_element(speeds.begin(), speeds.end(), [](double one, double other) {
                     return std::abs(one) < std::abs(other);
@@ -146,19 +150,22 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
                 range_text(report.end_factor), ends.solutions(), ends.solutions() == 1 ? "" : "s",
                 fastest, at_fastest.lower, at_fastest.upper));
         }
-    } catch (const Interrupted&) {
-        solution.interrupted = true;
-        solution.reached = false;
-        return report;
+        solution.interrupted = ends.interrupted();
+    }
+    if (solution.interrupted && plan.transient) {
+        // Rows with inertia start from the steady ones, which are none of the answer.
+        rows.clear();
+        report.end_factor.clear();
+        report.ends.clear();
     }
 
     const auto schedule = rheometry::schedule(
         scene.protocol, rheometry::conversion_for(scene.instrument, scene.conversion));
     const auto* newtonian = std::get_if<laws::flow::Newtonian>(&scene.fluid.law);
     if (const auto* history = std::get_if<rheometry::SpeedHistory>(&schedule)) {
-        if (plan.transient && newtonian != nullptr) {
-            const TransientSwirl swirl =
-                transient_swirl(bob, newtonian->viscosity, scene.fluid.density, *history, accuracy);
+        if (plan.transient && newtonian != nullptr && !solution.interrupted) {
+            const TransientSwirl swirl = transient_swirl(shape, newtonian->viscosity,
+                                                         scene.fluid.density, *history, accuracy);
             for (std::size_t k = 0; k < rows.size(); ++k) {
                 rows[k].torque = swirl.torque[k];
                 rows[k].torque_error = swirl.error[k];
@@ -166,10 +173,13 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
             solution.transient = true;
             const auto chosen = radial::rows_with_fields(scene.output, rows.size());
             if (!chosen.empty()) {
-                solution.fields = transient_fields(bob, newtonian->viscosity, scene.fluid.density,
+                solution.fields = transient_fields(shape, newtonian->viscosity, scene.fluid.density,
                                                    *history, swirl.resolution, chosen);
             }
             solution.elements = swirl.elements;
+            // Exact in time: a step from row to row and from piece to piece.
+            solution.time_steps =
+                static_cast<long>(history->row_times.size() + history->pieces.size());
             solution.refinements = swirl.levels;
             solution.unknowns = swirl.unknowns;
         } else {
@@ -182,10 +192,10 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
             }
         }
     }
-    if (!solution.transient) {
+    if (!solution.transient && !solution.interrupted) {
         try {
             solution.fields = steady_fields(
-                bob, scene, rows, radial::rows_with_fields(scene.output, rows.size()), progress);
+                shape, scene, rows, radial::rows_with_fields(scene.output, rows.size()), progress);
         } catch (const Interrupted&) {
             solution.interrupted = true;
         }
@@ -205,7 +215,7 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
                 std::max(solution.worst_relative_error, row.torque_error / scale);
         }
     }
-    solution.reached = solution.worst_relative_error <= accuracy;
+    solution.reached = !solution.interrupted && solution.worst_relative_error <= accuracy;
     return report;
 }
 

@@ -23,7 +23,7 @@ struct AxisymmetricReport {
 /// Newtonian fluid's inertia in the whole section. What is left out (secondary flow; the inertia of
 /// another fluid) is added to the rows' errors as large as the plan estimates it, unless the case
 /// says solver.model = "axisymmetric" or secondary_flow = false.
-/// @param scene  whose instrument is a DinBob
+/// @param scene  whose instrument has ends (section_shape)
 [[nodiscard]] AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
                                                     const ProgressSink& progress);
 

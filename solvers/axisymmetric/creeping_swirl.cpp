@@ -1,7 +1,6 @@
 #include "solvers/axisymmetric/creeping_swirl.hpp"
 
 #include "solvers/axisymmetric/swirl_level.hpp"
-#include "solvers/radial/annular_gap.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,27 +61,20 @@ Strategy strategy_for(const SwirlLaw& law, double accuracy) {
             .least_rounding = 1e-6};
 }
 
-double endless_torque(const geometry::DinBob& bob, const laws::flow::AnyFlowLaw& law,
-                      double speed) {
-    return bob.height() *
-           radial::steady_gap_flow({bob.bob_radius, bob.cup_radius}, law, speed).torque_per_length;
-}
-
 } // namespace
 
-CreepingTorque creeping_torque(const geometry::DinBob& bob, const laws::flow::AnyFlowLaw& law,
+CreepingTorque creeping_torque(const SectionShape& shape, const laws::flow::AnyFlowLaw& law,
                                double speed, const CreepingSettings& settings,
                                const ProgressSink& progress) {
-    return creeping_swirl(bob, law, speed, settings, progress).torque;
+    return creeping_swirl(shape, law, speed, settings, progress).torque;
 }
 
-CreepingSwirl creeping_swirl(const geometry::DinBob& bob, const laws::flow::AnyFlowLaw& flow_law,
+CreepingSwirl creeping_swirl(const SectionShape& shape, const laws::flow::AnyFlowLaw& flow_law,
                              double speed, const CreepingSettings& settings,
                              const ProgressSink& progress) {
-    const double wall_rate =
-        radial::steady_gap_flow({bob.bob_radius, bob.cup_radius}, flow_law, speed).inner_wall_rate;
+    const double wall_rate = shape.wall_rate(flow_law, speed);
     const SwirlLaw law(flow_law, speed, wall_rate / speed);
-    const double scale = 2.0 * std::numbers::pi * std::pow(bob.bob_radius, 3) * law.stress_scale();
+    const double scale = 2.0 * std::numbers::pi * std::pow(shape.unit(), 3) * law.stress_scale();
     const Strategy strategy = strategy_for(law, settings.accuracy);
 
     CreepingTorque result;
@@ -90,8 +82,8 @@ CreepingSwirl creeping_swirl(const geometry::DinBob& bob, const laws::flow::AnyF
     double target = strategy.rounding;
     double before = 0.0;
     auto level = std::make_unique<SwirlLevel>(
-        bob, graded_lines(bob, {.smallest = strategy.smallest, .ratio = ratio}), strategy.degree,
-        strategy.degree + strategy.extra_points);
+        shape, graded_lines(shape, {.smallest = strategy.smallest, .ratio = ratio}),
+        strategy.degree, strategy.degree + strategy.extra_points);
     for (int depth = 0; depth < settings.most_levels; ++depth) {
         if (progress) {
             progress(static_cast<double>(depth) / settings.most_levels,
@@ -106,6 +98,7 @@ CreepingSwirl creeping_swirl(const geometry::DinBob& bob, const laws::flow::AnyF
         const SwirlEnergies own = level->energies(law, level->points());
 
         result.levels = depth + 1;
+        result.elements = static_cast<int>(level->mesh().elements.size());
         result.newton_steps += level->steps();
         result.unknowns = level->unknowns();
         const double middle = law.homogeneity() > 0.0 ? 0.5 * (own.lower + own.upper)
@@ -129,7 +122,7 @@ CreepingSwirl creeping_swirl(const geometry::DinBob& bob, const laws::flow::AnyF
             result.error = scale * total;
             result.lower = scale * fine.lower;
             result.upper = scale * fine.upper;
-            result.end_factor = result.torque / endless_torque(bob, flow_law, speed);
+            result.end_factor = result.torque / shape.endless_torque(flow_law, speed);
             result.reached = (settings.certified ? fine.upper - fine.lower : total) <= goal &&
                              result.energy_gap <= most_gap * settings.accuracy;
             if (result.reached || !may_go_on) {
@@ -140,7 +133,7 @@ CreepingSwirl creeping_swirl(const geometry::DinBob& bob, const laws::flow::AnyF
         SectionLines finer = refined(level->lines(), level->marks(law, marked_share), ratio);
         const int degree = std::min(level->rotation_space().degree() + strategy.degree_step,
                                     std::max(highest_degree, strategy.degree));
-        auto next = std::make_unique<SwirlLevel>(bob, std::move(finer), degree,
+        auto next = std::make_unique<SwirlLevel>(shape, std::move(finer), degree,
                                                  degree + strategy.extra_points);
         next->start_from(*level);
         level = std::move(next);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "geometry/din_bob.hpp"
 #include "laws/flow/flow_law.hpp"
+#include "solvers/axisymmetric/section_shape.hpp"
 #include "solvers/progress.hpp"
 
 #include <memory>
@@ -33,6 +33,7 @@ struct CreepingTorque {
     double energy_gap{}; ///< (potential - conjugate) / potential
     bool reached{};      ///< `error`, or the bracket's width, is as small as was asked
     int levels{};
+    int elements{};     ///< of the finest level
     int newton_steps{}; ///< over all levels and both fields
     long unknowns{};    ///< of the finest level, both fields
 };
@@ -42,7 +43,7 @@ struct CreepingTorque {
 /// of the path, and the energies are the exact law's.
 /// @param speed  rad/s, > 0
 /// May throw Interrupted, from `progress`.
-[[nodiscard]] CreepingTorque creeping_torque(const geometry::DinBob& bob,
+[[nodiscard]] CreepingTorque creeping_torque(const SectionShape& shape,
                                              const laws::flow::AnyFlowLaw& law, double speed,
                                              const CreepingSettings& settings,
                                              const ProgressSink& progress = {});
@@ -53,7 +54,7 @@ struct CreepingSwirl {
     std::shared_ptr<const SwirlLevel> level;
     double stress_scale{}; ///< Pa, of the level's stress function
 };
-[[nodiscard]] CreepingSwirl creeping_swirl(const geometry::DinBob& bob,
+[[nodiscard]] CreepingSwirl creeping_swirl(const SectionShape& shape,
                                            const laws::flow::AnyFlowLaw& law, double speed,
                                            const CreepingSettings& settings,
                                            const ProgressSink& progress = {});

@@ -11,7 +11,7 @@ namespace searle::solvers::axisymmetric {
 
 EndEffectTable end_effect_table(const Scene& scene, std::span<const double> speeds,
                                 const ProgressSink& progress) {
-    const auto& bob = std::get<geometry::DinBob>(scene.instrument);
+    const SectionShape shape = section_shape(scene.instrument).value();
     const double rate_per_speed =
         rheometry::conversion_for(scene.instrument, scene.conversion).rate_per_speed;
     const bool one_value = std::holds_alternative<laws::flow::Newtonian>(scene.fluid.law) ||
@@ -27,7 +27,7 @@ EndEffectTable end_effect_table(const Scene& scene, std::span<const double> spee
             }
             // A Newtonian or power-law fluid has one value.
             if (table.rows.empty() || !one_value) {
-                found = creeping_torque(bob, scene.fluid.law, speed,
+                found = creeping_torque(shape, scene.fluid.law, speed,
                                         {.accuracy = scene.solver.accuracy}, progress);
             }
             const double per_torque = found.end_factor / found.torque;

@@ -19,10 +19,23 @@ bool is_homogeneous(const laws::flow::AnyFlowLaw& law) {
 
 } // namespace
 
-EndFactorCurve::EndFactorCurve(const geometry::DinBob& bob, const laws::flow::AnyFlowLaw& law,
+EndFactorCurve::EndFactorCurve(const SectionShape& shape, const laws::flow::AnyFlowLaw& law,
                                std::span<const double> speeds, double accuracy,
                                const ProgressSink& progress)
-    : bob_(bob), law_(law), accuracy_(accuracy), progress_(progress) {
+    : shape_(shape), law_(law), accuracy_(accuracy), progress_(progress) {
+    try {
+        solve_all(speeds);
+    } catch (const Interrupted&) {
+        interrupted_ = true;
+        reached_ = false;
+        if (interpolates_) {
+            // Points of a degree that was not finished are no use: the weights are for whole sets.
+            keep_whole_degree();
+        }
+    }
+}
+
+void EndFactorCurve::solve_all(std::span<const double> speeds) {
     std::set<double> distinct;
     for (const double speed : speeds) {
         if (speed != 0.0) {
@@ -32,7 +45,7 @@ EndFactorCurve::EndFactorCurve(const geometry::DinBob& bob, const laws::flow::An
     if (distinct.empty()) {
         return;
     }
-    if (is_homogeneous(law)) {
+    if (is_homogeneous(law_)) {
         solve(*distinct.rbegin());
         return;
     }
@@ -49,24 +62,29 @@ EndFactorCurve::EndFactorCurve(const geometry::DinBob& bob, const laws::flow::An
         return std::exp(0.5 * (low + high) -
                         0.5 * (high - low) * std::cos(std::numbers::pi * k / degree));
     };
+    degree_ = first_degree;
     for (int k = 0; k <= first_degree; ++k) {
         solve(point(k, first_degree));
     }
+    whole_degree_ = first_degree;
     for (int degree = 2 * first_degree; degree <= last_degree; degree *= 2) {
+        degree_ = degree;
         std::vector<double> foreseen;
         for (int k = 1; k < degree; k += 2) {
             foreseen.push_back(interpolated(point(k, degree)));
         }
-        interpolation_error_ = 0.0;
+        double difference = 0.0;
         for (int k = 1; k < degree; k += 2) {
             const double speed = point(k, degree);
             solve(speed);
             const auto same = std::find_if(solved_.begin(), solved_.end(),
                                            [&](const Solved& each) { return each.speed == speed; });
-            interpolation_error_ = std::max(
-                interpolation_error_,
+            difference = std::max(
+                difference,
                 std::abs(foreseen[static_cast<std::size_t>(k / 2)] / same->value.end_factor - 1.0));
         }
+        interpolation_error_ = difference;
+        whole_degree_ = degree;
         if (interpolation_error_ <= 0.3 * accuracy_) {
             return;
         }
@@ -74,11 +92,20 @@ EndFactorCurve::EndFactorCurve(const geometry::DinBob& bob, const laws::flow::An
     reached_ = false;
 }
 
+void EndFactorCurve::keep_whole_degree() {
+    std::erase_if(solved_, [&](const Solved& each) { return each.degree > whole_degree_; });
+    if (whole_degree_ <= first_degree) {
+        // No second degree has told how far the first may be off.
+        solved_.clear();
+    }
+}
+
 void EndFactorCurve::solve(double speed) {
     const double share = interpolates_ ? 0.5 : 1.0;
     const CreepingTorque found =
-        creeping_torque(bob_, law_, speed, {.accuracy = share * accuracy_}, progress_);
+        creeping_torque(shape_, law_, speed, {.accuracy = share * accuracy_}, progress_);
     const Solved solved{speed,
+                        degree_,
                         {.end_factor = found.end_factor,
                          .relative_error = found.error / found.torque,
                          .lower = found.lower / found.torque * found.end_factor,
@@ -87,6 +114,7 @@ void EndFactorCurve::solve(double speed) {
         std::upper_bound(solved_.begin(), solved_.end(), speed,
                          [](double value, const Solved& each) { return value < each.speed; }),
         solved);
+    elements_ = std::max(elements_, found.elements);
     levels_ = std::max(levels_, found.levels);
     newton_steps_ += found.newton_steps;
     unknowns_ = std::max(unknowns_, found.unknowns);
@@ -108,6 +136,15 @@ double EndFactorCurve::interpolated(double speed) const {
         below += weight;
     }
     return std::exp(above / below);
+}
+
+bool EndFactorCurve::has(double speed) const {
+    if (solved_.empty()) {
+        return false;
+    }
+    return is_homogeneous(law_) || interpolates_ ||
+           std::any_of(solved_.begin(), solved_.end(),
+                       [&](const Solved& each) { return each.speed == std::abs(speed); });
 }
 
 EndFactorCurve::Value EndFactorCurve::at(double speed) const {

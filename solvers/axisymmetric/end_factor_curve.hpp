@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solvers/axisymmetric/creeping_swirl.hpp"
+#include "solvers/axisymmetric/section_shape.hpp"
 
 #include <span>
 #include <vector>
@@ -14,7 +15,7 @@ class EndFactorCurve {
 public:
     /// @param speeds    rad/s; signs are left out, zeros are skipped
     /// @param accuracy  asked-for relative error of the torque
-    EndFactorCurve(const geometry::DinBob& bob, const laws::flow::AnyFlowLaw& law,
+    EndFactorCurve(const SectionShape& shape, const laws::flow::AnyFlowLaw& law,
                    std::span<const double> speeds, double accuracy, const ProgressSink& progress);
 
     struct Value {
@@ -25,8 +26,13 @@ public:
     };
     /// At one of the speeds given, != 0.
     [[nodiscard]] Value at(double speed) const;
+    /// Whether at() has a value for a speed: false for those that an interruption left out.
+    [[nodiscard]] bool has(double speed) const;
+    /// The progress sink threw Interrupted; what was solved before is there.
+    [[nodiscard]] bool interrupted() const { return interrupted_; }
 
     [[nodiscard]] int solutions() const { return static_cast<int>(solved_.size()); }
+    [[nodiscard]] int elements() const { return elements_; } ///< most of one solution
     [[nodiscard]] int levels() const { return levels_; }
     [[nodiscard]] long newton_steps() const { return newton_steps_; }
     [[nodiscard]] long unknowns() const { return unknowns_; }
@@ -36,18 +42,25 @@ public:
 private:
     struct Solved {
         double speed;
+        int degree; ///< of the interpolation that asked for it
         Value value;
     };
+    void solve_all(std::span<const double> speeds);
+    void keep_whole_degree();
     void solve(double speed);
     [[nodiscard]] double interpolated(double speed) const;
 
-    const geometry::DinBob& bob_;
+    const SectionShape& shape_;
     const laws::flow::AnyFlowLaw& law_;
     double accuracy_;
     const ProgressSink& progress_;
     std::vector<Solved> solved_; ///< by growing speed; the Chebyshev points where interpolated
     bool interpolates_{};
     double interpolation_error_{};
+    int degree_{};
+    int whole_degree_{};
+    bool interrupted_{};
+    int elements_{};
     int levels_{};
     long newton_steps_{};
     long unknowns_{};

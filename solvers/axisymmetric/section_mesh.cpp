@@ -116,7 +116,9 @@ private:
 
 } // namespace
 
-SectionLines graded_lines(const geometry::DinBob& bob, const Grading& grading) {
+namespace {
+
+SectionLines lines_of_bob(const geometry::DinBob& bob, const Grading& grading) {
     const double cup = bob.radius_ratio();
     const double length = bob.length_ratio;
     const double smallest = grading.smallest * std::min({cup - 1.0, length, bob.bottom_ratio});
@@ -138,6 +140,60 @@ SectionLines graded_lines(const geometry::DinBob& bob, const Grading& grading) {
     return lines;
 }
 
+/// Small elements at the rotor's four corners; the free surfaces stand at its straight walls.
+SectionLines lines_of_double_gap(const DoubleGapSection& gap, const Grading& grading) {
+    const auto& [post, inside, outside, cup] = gap.radii;
+    const double unit = outside;
+    const double smallest =
+        grading.smallest *
+        std::min({inside - post, outside - inside, cup - outside, gap.height, gap.bottom_gap}) /
+        unit;
+    const auto distances = [&](double span) { return graded(span, smallest, grading.ratio); };
+    SectionLines lines;
+    const auto family = [&](LineFamily which) -> auto& {
+        return lines[static_cast<std::size_t>(which)];
+    };
+    family(LineFamily::over_bob) =
+        line_from(inside / unit, post / unit, distances((inside - post) / unit));
+    family(LineFamily::under_bob) =
+        line_between(inside / unit, 1.0, distances(0.5 * (outside - inside) / unit));
+    family(LineFamily::across_gap) = line_from(1.0, cup / unit, distances((cup - outside) / unit));
+    // A share of the height under the rotor.
+    const double share = smallest * unit / gap.bottom_gap;
+    family(LineFamily::below) = line_from(1.0, 0.0, graded(1.0, share, grading.ratio));
+    family(LineFamily::beside) = line_from(0.0, gap.height / unit, distances(gap.height / unit));
+    return lines;
+}
+
+SectionMesh mesh_of_double_gap(const DoubleGapSection& gap, const SectionLines& lines) {
+    using enum LineFamily;
+    const double depth = gap.bottom_gap / gap.radii[2];
+    const auto rows = [&](LineFamily which) -> const auto& {
+        return lines[static_cast<std::size_t>(which)];
+    };
+    const auto z_below = [&](double, std::size_t row) { return -depth * (1.0 - rows(below)[row]); };
+    const auto z_beside = [&](double, std::size_t row) { return rows(beside)[row]; };
+    Builder builder;
+    builder.add_block(over_bob, below, lines, z_below,
+                      {.bottom = cup_wall, .top = 0U, .left = cup_wall, .right = 0U});
+    builder.add_block(under_bob, below, lines, z_below,
+                      {.bottom = cup_wall, .top = rotor_wall, .left = 0U, .right = 0U});
+    builder.add_block(across_gap, below, lines, z_below,
+                      {.bottom = cup_wall, .top = 0U, .left = 0U, .right = cup_wall});
+    builder.add_block(over_bob, beside, lines, z_beside,
+                      {.bottom = 0U, .top = inner_surface, .left = cup_wall, .right = rotor_wall});
+    builder.add_block(across_gap, beside, lines, z_beside,
+                      {.bottom = 0U, .top = free_surface, .left = rotor_wall, .right = cup_wall});
+    return builder.take();
+}
+
+} // namespace
+
+SectionLines graded_lines(const SectionShape& shape, const Grading& grading) {
+    return shape.bob() != nullptr ? lines_of_bob(*shape.bob(), grading)
+                                  : lines_of_double_gap(*shape.double_gap(), grading);
+}
+
 SectionLines refined(const SectionLines& lines, const LineMarks& marks, double ratio) {
     SectionLines finer;
     for (std::size_t family = 0; family < line_families; ++family) {
@@ -145,7 +201,10 @@ SectionLines refined(const SectionLines& lines, const LineMarks& marks, double r
             continue;
         }
         const auto which = static_cast<LineFamily>(family);
-        const bool rotor_first = which != LineFamily::under_bob && which != LineFamily::below;
+        // Under a bob the first line is the axis, under a rotor of a double gap it is an edge.
+        const bool edge_first = which == LineFamily::under_bob && lines[family].front() > 0.0;
+        const bool rotor_first =
+            edge_first || (which != LineFamily::under_bob && which != LineFamily::below);
         const bool rotor_last = which != LineFamily::across_gap && which != LineFamily::above;
         const std::size_t intervals = lines[family].size() - 1;
         finer[family].push_back(lines[family].front());
@@ -165,10 +224,14 @@ SectionLines refined(const SectionLines& lines, const LineMarks& marks, double r
     return finer;
 }
 
-SectionMesh section_of(const geometry::DinBob& bob, const SectionLines& lines) {
+SectionMesh section_of(const SectionShape& shape, const SectionLines& lines) {
     using enum LineFamily;
+    if (shape.double_gap() != nullptr) {
+        return mesh_of_double_gap(*shape.double_gap(), lines);
+    }
+    const geometry::DinBob& bob = *shape.bob();
     const double depth = bob.bottom_ratio;
-    const double cone = bob.cone_height() / bob.bob_radius;
+    const double cone = bob.cone_height() / shape.unit();
     const auto rows = [&](LineFamily which) -> const auto& {
         return lines[static_cast<std::size_t>(which)];
     };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/din_bob.hpp"
+#include "solvers/axisymmetric/section_shape.hpp"
 
 #include <array>
 #include <cstddef>
@@ -11,14 +11,15 @@ namespace searle::solvers::axisymmetric {
 /// What a side of the section is made of; a bit mask, since a corner belongs to two sides.
 enum Boundary : unsigned {
     interior_side = 0,
-    rotor_wall = 1,   ///< cone, cylinder, top face and shaft
-    cup_wall = 2,     ///< floor and wall
-    free_surface = 4, ///< no stress
-    symmetry_axis = 8 ///< r = 0
+    rotor_wall = 1,    ///< cone, cylinder, top face and shaft
+    cup_wall = 2,      ///< floor and wall
+    free_surface = 4,  ///< no stress
+    symmetry_axis = 8, ///< r = 0
+    inner_surface = 16 ///< no stress; inside the rotor of a double gap
 };
 
 /// A quadrilateral with two vertical sides: r runs from left to right, z is linear along each side.
-/// Lengths in bob radii; z = 0 is the lower edge of the cylinder, as in geometry::DinBob.
+/// Lengths in units of the shape; z = 0 is the lower edge of the cylinder, as in geometry::DinBob.
 struct SectionElement {
     double left{};
     double right{};
@@ -41,7 +42,8 @@ struct SectionMesh {
     std::vector<unsigned> edge_boundary;   ///< Boundary bits of each edge
 };
 
-/// The six families of lines that divide a section; lengths in bob radii, increasing.
+/// The six families of lines that divide a section; lengths in units of the shape, increasing. In a
+/// double gap the rotor's lower end is under_bob, and the inner gap over_bob.
 enum class LineFamily {
     under_bob,  ///< r from the axis to the edge of the cylinder, below it
     across_gap, ///< r from the cylinder to the cup
@@ -52,7 +54,7 @@ enum class LineFamily {
 };
 constexpr std::size_t line_families = 6;
 
-/// Without fluid above the bob the families over_bob and above are empty.
+/// Without fluid above the bob the families over_bob and above are empty; above in a double gap.
 using SectionLines = std::array<std::vector<double>, line_families>;
 
 /// Which intervals between lines are to be cut.
@@ -65,13 +67,13 @@ struct Grading {
     double ratio = 0.15;    ///< size of an element over that of its larger neighbour, 0 < ratio < 1
 };
 
-[[nodiscard]] SectionLines graded_lines(const geometry::DinBob& bob, const Grading& grading);
+[[nodiscard]] SectionLines graded_lines(const SectionShape& shape, const Grading& grading);
 
 /// The lines with the marked intervals cut: in two halves, or next to a wall of the rotor near it,
 /// at the share `ratio` of the interval.
 [[nodiscard]] SectionLines refined(const SectionLines& lines, const LineMarks& marks, double ratio);
 
 /// The elements between the lines.
-[[nodiscard]] SectionMesh section_of(const geometry::DinBob& bob, const SectionLines& lines);
+[[nodiscard]] SectionMesh section_of(const SectionShape& shape, const SectionLines& lines);
 
 } // namespace searle::solvers::axisymmetric

@@ -129,7 +129,7 @@ void SectionSpace::number_nodes(const SectionMesh& mesh, Field field) {
         boundary.insert(boundary.end(), static_cast<std::size_t>(inside), side);
     }
     const unsigned fixed =
-        field == Field::rotation ? rotor_wall | cup_wall : unsigned{symmetry_axis};
+        field == Field::rotation ? rotor_wall | cup_wall : symmetry_axis | inner_surface;
     std::vector<int> stands_for(static_cast<std::size_t>(shared_nodes_));
     shared_unknown_.assign(static_cast<std::size_t>(shared_nodes_), -1);
     prescribed_ = Eigen::VectorXd::Zero(nodes_);

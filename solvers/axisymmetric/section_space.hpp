@@ -13,8 +13,9 @@ enum class Field {
     /// Angular velocity over that of the rotor: 1 on the rotor, 0 on the cup. |g| is the rate of
     /// shear over the rotor's speed, g = r grad w.
     rotation,
-    /// Stress function psi, r^2 stress = curl psi: 0 on the axis, one unknown value on the free
-    /// surface, which is the torque over 2 pi. |g| is the stress, g = grad psi / r^2. Momentum is
+    /// Stress function psi, r^2 stress = curl psi: 0 on the axis (on a double gap's inner surface),
+    /// one unknown value on the free surface, which is the torque over 2 pi. |g| is the stress, g =
+    /// grad psi / r^2. Momentum is
     /// balanced exactly, whatever psi.
     stress_function
 };

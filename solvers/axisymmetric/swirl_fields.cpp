@@ -61,7 +61,7 @@ void add_outline(fields::SectionFields& section, const SectionMesh& mesh,
         }
         const fields::OutlineKind kind = boundary == rotor_wall ? fields::OutlineKind::rotor
                                          : boundary == cup_wall ? fields::OutlineKind::fixed_wall
-                                         : boundary == free_surface
+                                         : (boundary & (free_surface | inner_surface)) != 0U
                                              ? fields::OutlineKind::free_surface
                                              : fields::OutlineKind::axis;
         const auto [start, step] = start_and_step[side];

@@ -96,8 +96,8 @@ double best_conjugate(const SwirlLaw& law, const Eigen::ArrayXXd& weight,
 
 } // namespace
 
-SwirlLevel::SwirlLevel(const geometry::DinBob& bob, SectionLines lines, int degree, int points)
-    : lines_(std::move(lines)), mesh_(section_of(bob, lines_)), points_(points),
+SwirlLevel::SwirlLevel(const SectionShape& shape, SectionLines lines, int degree, int points)
+    : lines_(std::move(lines)), mesh_(section_of(shape, lines_)), points_(points),
       rotation_space_(mesh_, Field::rotation, degree, points),
       stress_space_(mesh_, Field::stress_function, degree, points),
       rotation_minimiser_(rotation_space_), stress_minimiser_(stress_space_),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solvers/axisymmetric/energy_minimiser.hpp"
+#include "solvers/axisymmetric/section_shape.hpp"
 #include "solvers/axisymmetric/section_space.hpp"
 #include "solvers/axisymmetric/swirl_law.hpp"
 
@@ -23,7 +24,7 @@ struct SwirlEnergies {
 /// One division of the section with both fields on it.
 class SwirlLevel {
 public:
-    SwirlLevel(const geometry::DinBob& bob, SectionLines lines, int degree, int points);
+    SwirlLevel(const SectionShape& shape, SectionLines lines, int degree, int points);
 
     /// Takes the fields of a coarser level as the start.
     void start_from(const SwirlLevel& coarse);

@@ -91,10 +91,11 @@ std::vector<double> scale_of(const std::vector<double>& torque) {
 
 } // namespace
 
-SwirlResponse swirl_response(const geometry::DinBob& bob, double viscosity, double density,
+SwirlResponse swirl_response(const SectionShape& shape, double viscosity, double density,
                              const ResponseResolution& resolution, SwirlShapes* shapes) {
-    const SectionLines lines = graded_lines(bob, {.smallest = resolution.smallest, .ratio = 0.15});
-    const SectionMesh mesh = section_of(bob, lines);
+    const SectionLines lines =
+        graded_lines(shape, {.smallest = resolution.smallest, .ratio = 0.15});
+    const SectionMesh mesh = section_of(shape, lines);
     const SectionSpace space(mesh, Field::rotation, resolution.degree, resolution.degree + 2);
     const Swirl swirl = assemble(space);
     const Eigen::SimplicialLDLT<Sparse> factor(swirl.stiffness);
@@ -139,8 +140,8 @@ SwirlResponse swirl_response(const geometry::DinBob& bob, double viscosity, doub
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(reduced.topLeftCorner(count, count));
 
-    const double torque_scale = 2.0 * std::numbers::pi * viscosity * std::pow(bob.bob_radius, 3);
-    const double diffusion_time = bob.bob_radius * bob.bob_radius * density / viscosity;
+    const double torque_scale = 2.0 * std::numbers::pi * viscosity * std::pow(shape.unit(), 3);
+    const double diffusion_time = shape.unit() * shape.unit() * density / viscosity;
     SwirlResponse response{.steady = torque_scale * steady_stiffness,
                            .at_once = inertia,
                            .modes = {},
@@ -245,7 +246,7 @@ std::vector<double> torque_along(const SwirlResponse& response,
     return torque;
 }
 
-TransientSwirl transient_swirl(const geometry::DinBob& bob, double viscosity, double density,
+TransientSwirl transient_swirl(const SectionShape& shape, double viscosity, double density,
                                const rheometry::SpeedHistory& history, double accuracy) {
     constexpr int most_levels = 4;
     // Just after a jump two neighbouring levels miss the same fast modes in part.
@@ -257,7 +258,7 @@ TransientSwirl transient_swirl(const geometry::DinBob& bob, double viscosity, do
     TransientSwirl result;
     std::vector<double> before;
     for (int level = 0; level < most_levels; ++level) {
-        const SwirlResponse response = swirl_response(bob, viscosity, density, resolution);
+        const SwirlResponse response = swirl_response(shape, viscosity, density, resolution);
         result.torque = torque_along(response, history);
         result.levels = level + 1;
         result.modes = static_cast<int>(response.modes.size());
@@ -291,11 +292,11 @@ TransientSwirl transient_swirl(const geometry::DinBob& bob, double viscosity, do
 }
 
 std::vector<rheometry::fields::SectionFields>
-transient_fields(const geometry::DinBob& bob, double viscosity, double density,
+transient_fields(const SectionShape& shape, double viscosity, double density,
                  const rheometry::SpeedHistory& history, const ResponseResolution& resolution,
                  std::span<const std::size_t> rows) {
     SwirlShapes shapes;
-    const SwirlResponse response = swirl_response(bob, viscosity, density, resolution, &shapes);
+    const SwirlResponse response = swirl_response(shape, viscosity, density, resolution, &shapes);
     const laws::flow::AnyFlowLaw law = laws::flow::Newtonian{viscosity};
     std::vector<rheometry::fields::SectionFields> sections;
     along_rows(response, history, [&](std::size_t row, const std::vector<double>& state, double) {
@@ -310,8 +311,7 @@ transient_fields(const geometry::DinBob& bob, double viscosity, double density,
                 Eigen::Map<const Eigen::VectorXd>(state.data(), static_cast<Index>(state.size()));
         // In rad/s, so that a row at rest, where the fluid still turns, needs no other way.
         auto section = swirl_fields(
-            {shapes.mesh, bob.bob_radius, resolution.degree, rotation, 1.0, 0.0, nullptr, 0.0},
-            law);
+            {shapes.mesh, shape.unit(), resolution.degree, rotation, 1.0, 0.0, nullptr, 0.0}, law);
         section.speed = speed;
         section.time = time;
         section.row = row + 1;

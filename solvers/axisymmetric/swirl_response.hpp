@@ -1,6 +1,5 @@
 #pragma once
 
-#include "geometry/din_bob.hpp"
 #include "rheometry/fields/section_fields.hpp"
 #include "rheometry/speed_history.hpp"
 #include "solvers/axisymmetric/section_mesh.hpp"
@@ -47,7 +46,7 @@ struct SwirlShapes {
 /// @param viscosity  Pa s, > 0
 /// @param density    kg/m^3, > 0
 /// @param shapes     filled where not null
-[[nodiscard]] SwirlResponse swirl_response(const geometry::DinBob& bob, double viscosity,
+[[nodiscard]] SwirlResponse swirl_response(const SectionShape& shape, double viscosity,
                                            double density, const ResponseResolution& resolution,
                                            SwirlShapes* shapes = nullptr);
 
@@ -70,14 +69,14 @@ struct TransientSwirl {
     double steady{};                 ///< torque over speed without inertia, N m s
     ResponseResolution resolution{}; ///< of the last level
 };
-[[nodiscard]] TransientSwirl transient_swirl(const geometry::DinBob& bob, double viscosity,
+[[nodiscard]] TransientSwirl transient_swirl(const SectionShape& shape, double viscosity,
                                              double density, const rheometry::SpeedHistory& history,
                                              double accuracy);
 
 /// The flow in the section at some rows of a history.
 /// @param rows  numbers from 1, increasing
 [[nodiscard]] std::vector<rheometry::fields::SectionFields>
-transient_fields(const geometry::DinBob& bob, double viscosity, double density,
+transient_fields(const SectionShape& shape, double viscosity, double density,
                  const rheometry::SpeedHistory& history, const ResponseResolution& resolution,
                  std::span<const std::size_t> rows);
 

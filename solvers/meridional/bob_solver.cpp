@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <string>
 
 namespace searle::solvers::meridional {
 namespace {
@@ -20,6 +22,9 @@ constexpr double factor_share = 0.5;
 /// Where time is left out of the secondary flow (a yield-stress fluid in a ramp), this share of
 /// what the steady secondary flow adds is claimed as error.
 constexpr double unsteady_share = 0.5;
+
+/// Stability is asked for where secondary flow carries at least this share of the torque.
+constexpr double share_worth_asking = 0.03;
 
 void judge(radial::RadialReport& solution, double accuracy) {
     double largest = 0.0;
@@ -37,18 +42,49 @@ void judge(radial::RadialReport& solution, double accuracy) {
     solution.reached = solution.worst_relative_error <= accuracy;
 }
 
+/// Says whether the steady flow at the fastest row would persist.
+void note_stability(const Plan& plan, InertiaFactorCurve& curve, radial::RadialReport& solution) {
+    double fastest = 0.0;
+    double share = 0.0;
+    for (const RowForecast& row : plan.rows) {
+        fastest = std::max(fastest, std::abs(row.speed));
+        share = std::max(share, row.end_flow_share);
+    }
+    if (share < share_worth_asking) {
+        return;
+    }
+    const auto rate = curve.disturbance_rate(fastest);
+    if (!rate) {
+        return;
+    }
+    const double period = 2.0 * std::numbers::pi / std::max(rate->imag(), 1e-300);
+    const std::string turning = rate->imag() > 1e-6 * fastest
+                                    ? fmt::format(", oscillating with a period of {:.3g} s", period)
+                                    : "";
+    solution.notes.push_back(
+        rate->real() > 0.0
+            ? fmt::format(
+                  "The steady flow at {:.4g} rad/s is unstable to axisymmetric disturbances, "
+                  "which grow e-fold in {:.3g} s{}: an instrument's torque does not settle "
+                  "on the value of the steady flow.",
+                  fastest, 1.0 / rate->real(), turning)
+            : fmt::format("The steady flow at {:.4g} rad/s is stable to axisymmetric disturbances: "
+                          "the last of them dies e-fold in {:.3g} s{}.",
+                          fastest, -1.0 / rate->real(), turning));
+}
+
 /// Multiplies the torques (not of rows that a transient run has filled) and the end factors.
 /// @param delay_share  of what secondary flow adds, for not following it in time
-void apply_factors(const Scene& scene, AxisymmetricReport& report, bool fills_torque,
-                   double delay_share, const ProgressSink& progress) {
+void apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& report,
+                   bool fills_torque, double delay_share, const ProgressSink& progress) {
     const auto& bob = std::get<geometry::DinBob>(scene.instrument);
     std::vector<rheometry::TorqueRow>& rows = report.solution.history.rows;
     std::vector<double> speeds;
     for (const rheometry::TorqueRow& row : rows) {
         speeds.push_back(row.speed);
     }
-    const InertiaFactorCurve curve(bob, scene.fluid.law, scene.fluid.density, speeds,
-                                   factor_share * scene.solver.accuracy, progress);
+    InertiaFactorCurve curve(bob, scene.fluid.law, scene.fluid.density, speeds,
+                             factor_share * scene.solver.accuracy, progress);
     double largest = 1.0;
     for (std::size_t k = 0; k < rows.size(); ++k) {
         if (rows[k].speed == 0.0) {
@@ -73,6 +109,7 @@ void apply_factors(const Scene& scene, AxisymmetricReport& report, bool fills_to
         fmt::format("Secondary flow multiplies the steady torque by up to {:.6g} ({} solution{} of "
                     "the flow with inertia).",
                     largest, curve.solutions(), curve.solutions() == 1 ? "" : "s"));
+    note_stability(plan, curve, solution);
 }
 
 /// Fills the rows from a run in time.
@@ -119,7 +156,7 @@ AxisymmetricReport solve_bob(const Scene& scene, const Plan& plan, const Progres
     const double delay_share = history != nullptr && plan.transient ? unsteady_share : 0.0;
     try {
         if (!in_time || conversion.end_factor_provisional) {
-            apply_factors(scene, report, !in_time, delay_share, progress);
+            apply_factors(scene, plan, report, !in_time, delay_share, progress);
         }
     } catch (const Interrupted&) {
         // The swirl's torques are no result of the case that asked for more.

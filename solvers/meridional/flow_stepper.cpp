@@ -50,7 +50,8 @@ void FlowStepper::turn_rotor(FlowState& state, double speed) const {
     const FlowSpace& space = system_.space();
     for (int node = 0; node < space.nodes(); ++node) {
         if ((space.boundary(node) & axisymmetric::rotor_wall) != 0U) {
-            state.velocity(node, static_cast<Eigen::Index>(Component::rotation)) = speed;
+            state.velocity(node, static_cast<Eigen::Index>(Component::rotation)) =
+                settings_.rotor_profile.size() > 0 ? speed * settings_.rotor_profile[node] : speed;
         }
     }
 }

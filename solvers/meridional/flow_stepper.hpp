@@ -23,6 +23,8 @@ struct StepperSettings {
     double tolerance = 1e-4;    ///< of the velocity's error in one step, over the largest velocity
     double first_step = 1e-3;   ///< tried after every begin(), > 0
     double shortest_step = 0.0; ///< a step that would have to be shorter is not taken
+    /// Speed of each node of the rotor over the drive's, (node); empty: 1 everywhere.
+    Eigen::VectorXd rotor_profile;
 };
 
 /// The flow in time: ESDIRK4(3)6L[2]SA (radial/esdirk.hpp) with the pressure as what keeps every

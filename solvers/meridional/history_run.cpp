@@ -15,7 +15,7 @@ constexpr double shortest_share = 1e-9;
 
 HistoryRun run_history(FlowLevel& level, const ScaledFluid& fluid, double reference_speed,
                        const rheometry::SpeedHistory& history, double tolerance,
-                       const ProgressSink& progress) {
+                       const ProgressSink& progress, const Eigen::VectorXd& rotor_profile) {
     HistoryRun run;
     const double duration = history.duration();
     const std::vector<double>& rows = history.row_times;
@@ -23,7 +23,8 @@ HistoryRun run_history(FlowLevel& level, const ScaledFluid& fluid, double refere
     FlowStepper stepper(level.system(), fluid.material(), level.state(),
                         {.tolerance = tolerance,
                          .first_step = first_share * first_row * reference_speed,
-                         .shortest_step = shortest_share * duration * reference_speed});
+                         .shortest_step = shortest_share * duration * reference_speed,
+                         .rotor_profile = rotor_profile});
     std::size_t row = 0;
     for (const auto& piece : history.pieces) {
         const double length = piece.end_time - piece.start_time;

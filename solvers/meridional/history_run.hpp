@@ -25,9 +25,11 @@ struct HistoryRun {
 /// @param fluid      at the reference speed
 /// @param reference_speed  rad/s, > 0
 /// @param tolerance  of the velocity's error in one step, over the largest velocity
+/// @param rotor_profile  see StepperSettings
 /// May throw Interrupted.
 [[nodiscard]] HistoryRun run_history(FlowLevel& level, const ScaledFluid& fluid,
                                      double reference_speed, const rheometry::SpeedHistory& history,
-                                     double tolerance, const ProgressSink& progress);
+                                     double tolerance, const ProgressSink& progress,
+                                     const Eigen::VectorXd& rotor_profile = {});
 
 } // namespace searle::solvers::meridional

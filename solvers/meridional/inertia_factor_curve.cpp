@@ -70,6 +70,18 @@ void InertiaFactorCurve::solve(double speed, const ProgressSink& progress) {
     solved_[speed] = found;
 }
 
+std::optional<std::complex<double>> InertiaFactorCurve::disturbance_rate(double speed) {
+    const InertiaFactor found = flow_.at(speed);
+    if (found.levels == 0) {
+        return {};
+    }
+    const LeadingDisturbance leading = flow_.leading_disturbance_at(speed);
+    if (!std::isfinite(leading.rate.real())) {
+        return {};
+    }
+    return leading.rate * speed;
+}
+
 /// Barycentric formula on Chebyshev points of the second kind, in ln speed.
 double InertiaFactorCurve::interpolated(double speed) const {
     double above = 0.0;

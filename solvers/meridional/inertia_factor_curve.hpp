@@ -2,7 +2,9 @@
 
 #include "solvers/meridional/steady_secondary_flow.hpp"
 
+#include <complex>
 #include <map>
+#include <optional>
 #include <span>
 
 namespace searle::solvers::meridional {
@@ -26,8 +28,10 @@ public:
     [[nodiscard]] int levels() const { return levels_; }
     [[nodiscard]] long unknowns() const { return unknowns_; }
     [[nodiscard]] long factorisations() const { return flow_.factorisations(); }
-    /// The flow solved for last; its level and speed belong together.
-    [[nodiscard]] SteadySecondaryFlow& flow() { return flow_; }
+    /// Growth of the leading axisymmetric disturbance of the steady flow at a speed, 1/s (real
+    /// part) and rad/s (imaginary part); nothing where it cannot be told. Solves for the flow
+    /// again.
+    [[nodiscard]] std::optional<std::complex<double>> disturbance_rate(double speed);
 
 private:
     void solve(double speed, const ProgressSink& progress);

@@ -11,14 +11,13 @@
 namespace searle::solvers::meridional {
 namespace {
 
-constexpr std::array<FlowResolution, 7> resolutions{
+constexpr std::array<FlowResolution, 6> resolutions{
     {{.degree = 3, .smallest = 5e-2, .largest = 0.5, .beside = 8.0},
      {.degree = 4, .smallest = 5e-2, .largest = 0.5, .beside = 8.0},
      {.degree = 5, .smallest = 5e-2, .largest = 0.5, .beside = 2.0},
      {.degree = 7, .smallest = 5e-2, .largest = 0.5, .beside = 2.0},
      {.degree = 7, .smallest = 1e-2, .largest = 0.25, .beside = 2.0},
-     {.degree = 9, .smallest = 1e-2, .largest = 0.25, .beside = 2.0},
-     {.degree = 10, .smallest = 1e-3, .largest = 0.125, .beside = 1.0}}};
+     {.degree = 9, .smallest = 1e-2, .largest = 0.25, .beside = 2.0}}};
 /// Below this Reynolds number Newton's method finds the flow from the creeping one.
 constexpr double easy_reynolds = 60.0;
 /// Speeds along the way rise by at most this factor ...
@@ -181,6 +180,11 @@ InertiaFactor SteadySecondaryFlow::at(double speed, const ProgressSink& progress
         }
     }
     return result;
+}
+
+LeadingDisturbance SteadySecondaryFlow::leading_disturbance_at(double speed) {
+    return leading_disturbance(*levels_.at(last_level_).flow,
+                               fluid_at(speed, last_level_).material());
 }
 
 FlowLevel* SteadySecondaryFlow::finest() {

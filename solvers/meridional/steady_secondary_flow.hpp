@@ -4,6 +4,7 @@
 #include "laws/flow/flow_law.hpp"
 #include "solvers/meridional/flow_level.hpp"
 #include "solvers/meridional/flow_material.hpp"
+#include "solvers/meridional/flow_stability.hpp"
 #include "solvers/progress.hpp"
 
 #include <memory>
@@ -36,6 +37,9 @@ public:
 
     /// Best called with rising speeds. @param speed  rad/s, > 0. May throw Interrupted.
     [[nodiscard]] InertiaFactor at(double speed, const ProgressSink& progress = {});
+
+    /// Of the flow that the last call found, at its speed.
+    [[nodiscard]] LeadingDisturbance leading_disturbance_at(double speed);
 
     /// The flow of the last call on its finest level, or null before the first.
     [[nodiscard]] FlowLevel* finest();

@@ -20,7 +20,7 @@ constexpr std::size_t rows_between_reports = 256;
 
 /// The factor by which the ends of the instrument raise the endless cylinder's torque.
 double end_factor(const geometry::Instrument& instrument, const rheometry::Conversion& conversion) {
-    return std::holds_alternative<geometry::DinBob>(instrument) ? conversion.end_factor : 1.0;
+    return geometry::has_ends(instrument) ? conversion.end_factor : 1.0;
 }
 
 rheometry::TorqueRow steady_row(const Scene& scene, double factor, double time, double speed) {

@@ -19,7 +19,8 @@ namespace flow = laws::flow;
 /// ISO 3219 proportions; lengths in bob radii, so that K = 1 and omega = 1 give tau0 / (K omega^n).
 const geometry::DinBob iso_bob{.bob_radius = 1.0, .cup_radius = 1.0847};
 
-/// Expected c_L of the standard bob: independent finite-element results, to the digits given.
+/// Expected c_L of the standard bob: physics.md, section 3 (independent finite elements), to the
+/// digits given there; bench/independent_end_factors.py computes them in yet another way.
 TEST(CreepingSwirl, newtonian_end_factor_of_the_iso_bob) {
     const CreepingTorque found =
         creeping_torque(iso_bob, flow::Newtonian{1.0}, 1.0, {.accuracy = 1e-5});
@@ -47,8 +48,9 @@ TEST(CreepingSwirl, herschel_bulkley_end_factor_lies_in_a_bracket_of_a_thousandt
     EXPECT_LT(found.quadrature_error, 1e-4);
 }
 
-/// TRIOS' bob (14/15.2/42 mm) has 1.0893; near the plastic limit the shear sits on the bob's walls,
-/// whose tau0 r^2 area gives c_L = (3 + cone 1/(3 sin 60 deg) + top (1 - 0.3^3)/3 + shaft 0.3^2)/3.
+/// TRIOS' bob (14/15.2/42 mm) has 1.0893 (physics.md, section 3); near the plastic limit the shear
+/// sits on the bob's walls, whose tau0 r^2 area gives c_L = (3 + cone 1/(3 sin 60 deg) + top (1 -
+/// 0.3^3)/3 + shaft 0.3^2)/3.
 TEST(CreepingSwirl, other_bobs_and_the_plastic_limit) {
     const CreepingTorque trios = creeping_torque(geometry::DinBob{0.014, 0.0152},
                                                  flow::Newtonian{1e-3}, 2.0, {.accuracy = 1e-5});
@@ -195,7 +197,8 @@ TEST_P(ManufacturedSwirl, error_falls_with_the_degree_as_order) {
 INSTANTIATE_TEST_SUITE_P(Degrees, ManufacturedSwirl, testing::Values(2, 3, 4));
 
 /// Ramp of water 0 -> 100 1/s in 35 s in TRIOS' bob, read with its own factors (c_L = 1.10):
-/// eta_app / eta of an independent axisymmetric computation, to the digits given.
+/// eta_app / eta of an independent axisymmetric computation (physics.md, section 3), to the digits
+/// given.
 TEST(TransientSwirl, water_ramp_in_a_din_bob) {
     const double rate_per_speed = 12.187215;
     const double stress_per_torque = 16243.2702;

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "solvers/meridional/flow_level.hpp"
+
+#include <complex>
+
+namespace searle::solvers::meridional {
+
+/// The axisymmetric disturbance of a steady flow that grows fastest or decays most slowly.
+struct LeadingDisturbance {
+    /// exp(rate x time): growth in the real part, angular frequency in the imaginary one (>= 0);
+    /// both over the rotor's speed.
+    std::complex<double> rate;
+    double residual{}; ///< of the eigenvalue problem, over |1 / (shift - rate)|; small: converged
+};
+
+/// The eigenvalue with the largest real part among those next to a positive shift, by Arnoldi's
+/// method on the inverse of (derivative + shift x mass).
+/// @param level   its state is the steady flow of `material`; its factors are replaced
+/// @param vectors of the Krylov space
+[[nodiscard]] LeadingDisturbance leading_disturbance(FlowLevel& level, const FlowMaterial& material,
+                                                     int vectors = 50);
+
+} // namespace searle::solvers::meridional

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "laws/flow/flow_law.hpp"
+#include "rheometry/speed_history.hpp"
+#include "solvers/progress.hpp"
+#include "solvers/radial/annular_gap.hpp"
+
+#include <vector>
+
+namespace searle::solvers::meridional {
+
+/// Torque in a gap with Taylor vortices along a speed history, per length of the gap.
+struct VortexRun {
+    std::vector<double> torque; ///< N, of the rows finished
+    std::vector<double> error;  ///< estimate from levels of resolution in space and time, N, >= 0
+    bool reached{};             ///< all rows are there, and the levels agree to the accuracy
+    int levels{};
+    int elements{};
+    long unknowns{};
+    long time_steps{};
+    long linear_solves{};
+};
+
+/// Follows the flow in a periodic cell in time. The vortices grow out of a rotor whose speed is
+/// uneven along the axis: how soon they show depends on that, how strong they get does not.
+/// @param gap         the inner wall turns
+/// @param wavelength  axial period, m
+/// @param law         without a yield stress
+/// @param density     kg/m^3, > 0
+/// @param disturbance  unevenness, 0 < disturbance << 1
+/// @param accuracy    asked-for relative error of the torque
+/// May throw Interrupted.
+[[nodiscard]] VortexRun vortex_run(const radial::AnnularGap& gap, double wavelength,
+                                   const laws::flow::AnyFlowLaw& law, double density,
+                                   double disturbance, const rheometry::SpeedHistory& history,
+                                   double accuracy, const ProgressSink& progress = {});
+
+} // namespace searle::solvers::meridional
