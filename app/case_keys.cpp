@@ -35,11 +35,10 @@ casefile::Keys<CaseAsWritten> declared_case_keys(Use use) {
         .says("The mesh of models that need one; all of it may be left out.");
     keys.table("particles", &CaseAsWritten::particles, solvers::suspension::particle_keys())
         .not_in_new()
-        .says("Particles in the fluid: read and checked; this version cannot run them.");
+        .says("Spheres in the fluid between the walls of a box.");
     keys.table("coupling", &CaseAsWritten::coupling, solvers::suspension::coupling_keys())
         .not_in_new()
-        .says(
-            "Exchange between particles and fluid: read and checked; this version cannot run it.");
+        .says("Exchange between particles and fluid; all of it may be left out.");
     keys.table("sweep", &CaseAsWritten::sweep, casefile::sweep_keys())
         .not_in_new()
         .says("Several cases in one file: each run with every combination of the varied values.");
@@ -82,7 +81,8 @@ solvers::Scene scene_of(const CaseAsWritten& written) {
     scene.solver = written.solver;
     scene.output = written.output;
     scene.mesh = written.mesh;
-    scene.has_particles = written.particles.has_value() || written.coupling.has_value();
+    scene.particles = written.particles;
+    scene.coupling = written.coupling.value_or(solvers::suspension::CouplingSettings{});
     return scene;
 }
 

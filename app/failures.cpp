@@ -1,12 +1,15 @@
 #include "app/failures.hpp"
 
 #include "app/case_reader.hpp"
+#include "app/checkpoint_file.hpp"
 #include "app/exit_code.hpp"
 #include "app/result_folder.hpp"
 #include "app/solved_case.hpp"
 #include "app/usage_error.hpp"
 #include "geometry/mesh_error.hpp"
 #include "rheometry/tables/table_error.hpp"
+#include "solvers/suspension/suspension_motion.hpp"
+#include "solvers/unsuitable_scene.hpp"
 
 #include <fmt/format.h>
 
@@ -36,6 +39,12 @@ int called(const std::function<int()>& verb) {
     } catch (const rheometry::TableError& error) {
         return tell(ExitCode::wrong_usage, error.what());
     } catch (const UsageError& error) {
+        return tell(ExitCode::wrong_usage, error.what());
+    } catch (const solvers::suspension::StepFailure& error) {
+        return tell(ExitCode::not_reached, fmt::format("{}; nothing was written", error.what()));
+    } catch (const CheckpointError& error) {
+        return tell(ExitCode::wrong_usage, error.what());
+    } catch (const solvers::UnsuitableScene& error) {
         return tell(ExitCode::wrong_usage, error.what());
     } catch (const geometry::MeshError& error) {
         return tell(ExitCode::wrong_usage, error.what());

@@ -2,6 +2,7 @@
 
 #include "solvers/meridional/bob_solver.hpp"
 #include "solvers/meridional/vortex_solver.hpp"
+#include "solvers/suspension/suspension_solver.hpp"
 
 #include <fmt/format.h>
 
@@ -61,7 +62,8 @@ PlannedCase plan_case(Case source, StageClock clock) {
     return planned;
 }
 
-SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress) {
+SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress,
+                      const solvers::suspension::Checkpointing& checkpointing) {
     SolvedCase solved{.source = std::move(planned.source),
                       .plan = std::move(planned.plan),
                       .solution = {},
@@ -72,7 +74,11 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
                       .clock = std::move(planned.clock)};
     const solvers::Scene& scene = solved.source.scene;
     std::vector<double> end_factors;
-    if (solved.plan.vortices) {
+    if (scene.particles) {
+        solved.solution =
+            solvers::suspension::solve_suspension(scene, solved.plan, progress, checkpointing)
+                .solution;
+    } else if (solved.plan.vortices) {
         solved.solution = solvers::meridional::solve_with_vortices(scene, solved.plan, progress);
     } else if (solved.plan.model == "axisymmetric") {
         solvers::axisymmetric::AxisymmetricReport report =

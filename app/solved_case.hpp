@@ -10,6 +10,7 @@
 #include "solvers/plan.hpp"
 #include "solvers/progress.hpp"
 #include "solvers/radial/radial_solver.hpp"
+#include "solvers/suspension/checkpoint.hpp"
 
 #include <optional>
 #include <stdexcept>
@@ -49,7 +50,9 @@ struct SolvedCase {
 
 /// Solves and converts. When the progress sink throws solvers::Interrupted the rheogram has the
 /// rows that were finished.
-[[nodiscard]] SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress);
+/// @param checkpointing of a suspension's run
+[[nodiscard]] SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress,
+                                    const solvers::suspension::Checkpointing& checkpointing = {});
 
 [[nodiscard]] Completeness completeness_of(const SolvedCase& solved);
 

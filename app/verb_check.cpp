@@ -34,11 +34,6 @@ int check(const CheckOptions& options) {
         fmt::print("{}: {}\n",
                    cases.size() > 1 ? "  " + one.name : options.case_file.string() + ": valid",
                    summary_of(one));
-    for (const Case& one : cases)
-        if (one.scene.has_particles) {
-            fmt::print("[particles] and [coupling] are valid; this version cannot run them.\n");
-            break;
-        }
     return ExitCode::done;
 }
 

@@ -1,5 +1,6 @@
 #include "app/verb_run.hpp"
 
+#include "app/checkpoint_file.hpp"
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
 #include "app/progress_line.hpp"
@@ -20,8 +21,30 @@ fs::path folder_for(const RunOptions& options) {
     return options.folder ? *options.folder : fs::path("results") / options.case_file.stem();
 }
 
+/// Where a suspension's run is kept safe until the result folder is written.
+fs::path checkpoint_of(const Case& source, const fs::path& folder, bool sweeps) {
+    return folder.string() + (sweeps ? "." + source.name : "") + ".checkpoint.h5";
+}
+
+/// Solves a case; one with particles goes on from its checkpoint, and is kept in it.
+SolvedCase solve_safely(PlannedCase planned, const solvers::ProgressSink& sink,
+                        const fs::path& checkpoint, const RunOptions& options) {
+    if (!planned.source.scene.particles)
+        return solve_case(std::move(planned), sink);
+    const CheckpointKeeper keeper(checkpoint, planned.source.hash, options.replace);
+    if (keeper.goes_on() && !options.quiet)
+        std::fputs(fmt::format("searle: goes on from {}\n", checkpoint.string()).c_str(), stderr);
+    SolvedCase solved = solve_case(std::move(planned), sink, keeper.checkpointing());
+    if (!keeper.trouble().empty())
+        solved.solution.notes.push_back(keeper.trouble());
+    return solved;
+}
+
 /// Solves case after case until one was interrupted; runs without a finished row are left out.
-std::vector<SolvedCase> solve_all(std::vector<PlannedCase> planned, bool quiet) {
+std::vector<SolvedCase> solve_all(std::vector<PlannedCase> planned, const RunOptions& options) {
+    const bool quiet = options.quiet;
+    const bool sweeps = planned.size() > 1;
+    const fs::path folder = folder_for(options);
     const InterruptWatch watch;
     ProgressLine line(quiet);
     const solvers::ProgressSink sink = [&](double fraction, std::string_view stage) {
@@ -33,7 +56,8 @@ std::vector<SolvedCase> solve_all(std::vector<PlannedCase> planned, bool quiet) 
     for (std::size_t i = 0; i < planned.size() && !watch.requested(); ++i) {
         if (planned.size() > 1)
             line.set_prefix(fmt::format("run {} of {}: ", i + 1, planned.size()));
-        SolvedCase each = solve_case(std::move(planned[i]), sink);
+        const fs::path checkpoint = checkpoint_of(planned[i].source, folder, sweeps);
+        SolvedCase each = solve_safely(std::move(planned[i]), sink, checkpoint, options);
         if (!each.rheogram.points.empty())
             solved.push_back(std::move(each));
     }
@@ -75,6 +99,20 @@ void tell_shortfall(Completeness completeness, const fs::path& folder) {
 
 } // namespace
 
+namespace {
+
+/// The results are written: what kept the finished runs safe goes.
+void remove_checkpoints(const std::vector<SolvedCase>& solved, const fs::path& folder,
+                        bool sweeps) {
+    for (const SolvedCase& each : solved)
+        if (each.source.scene.particles && !each.solution.interrupted) {
+            std::error_code ignored;
+            fs::remove(checkpoint_of(each.source, folder, sweeps), ignored);
+        }
+}
+
+} // namespace
+
 int run(const RunOptions& options) {
     StageClock clock;
     const std::vector<Case> cases = read_cases(options.case_file, options.overrides);
@@ -89,7 +127,7 @@ int run(const RunOptions& options) {
         planned.push_back(plan_case(each, clock));
         clock = StageClock();
     }
-    const std::vector<SolvedCase> solved = solve_all(std::move(planned), options.quiet);
+    const std::vector<SolvedCase> solved = solve_all(std::move(planned), options);
     if (solved.empty()) {
         tell("searle: interrupted before the first point; nothing was written\n");
         return ExitCode::interrupted;
@@ -97,6 +135,7 @@ int run(const RunOptions& options) {
     if (cases.size() == 1) {
         const RunRecord record = record_of(solved.front(), present_time());
         write_result_folder(folder, files_of(record, ""), options.replace);
+        remove_checkpoints(solved, folder, false);
         if (!options.quiet)
             tell(result_message(record, folder));
         else
@@ -105,6 +144,7 @@ int run(const RunOptions& options) {
     }
     const SweepRecord record = sweep_record(solved, cases, present_time());
     write_result_folder(folder, files_of(record), options.replace);
+    remove_checkpoints(solved, folder, true);
     if (!options.quiet)
         tell(result_message(record, folder));
     else

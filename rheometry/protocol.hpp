@@ -32,6 +32,10 @@ struct Ramp {
 struct Steps {
     std::vector<ProtocolSpeed> speeds;
     std::optional<double> hold;
+    /// Strain that each speed is held for, in place of `hold`; for suspensions.
+    std::optional<double> hold_strain = std::nullopt;
+    /// Strain at the start of each hold that no average includes; no value: found by a test.
+    std::optional<double> discard_strain = std::nullopt;
 };
 
 /// One straight piece of a speed history: from the speed where the piece before ended to `to`.

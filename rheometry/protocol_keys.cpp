@@ -21,7 +21,7 @@ struct Finish {
                 ramp.start};
     }
     Protocol operator()(const StepsAsWritten& written) const {
-        Steps steps{{}, written.hold};
+        Steps steps{{}, written.hold, written.hold_strain, written.discard_strain};
         append(steps.speeds, written.shear_rates, SpeedKind::shear_rate);
         append(steps.speeds, written.angular_velocities, SpeedKind::drive);
         append(steps.speeds, written.wall_speeds, SpeedKind::drive);

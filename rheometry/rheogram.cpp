@@ -33,7 +33,8 @@ Rheogram make_rheogram(const TorqueHistory& history, const Conversion& conversio
              .regime = regimes[i],
              .steady_stress = conversion.shear_stress(row.steady_torque),
              .bob_shear_rate = bob_shear_rates.empty() ? unknown : bob_shear_rates[i],
-             .yield_radius = row.yield_radius});
+             .yield_radius = row.yield_radius,
+             .suspension = row.suspension});
     }
     return rheogram;
 }

@@ -3,6 +3,7 @@
 #include "rheometry/conversion/conversion.hpp"
 #include "rheometry/torque_history.hpp"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ struct RheogramPoint {
     double steady_stress{};  ///< shear stress without inertia at this speed, Pa
     double bob_shear_rate{}; ///< true shear rate of the steady flow at the rotor's wall, 1/s
     double yield_radius{};   ///< see TorqueRow
+    std::optional<SuspensionStress> suspension = std::nullopt; ///< see TorqueRow
 };
 
 struct Rheogram {

@@ -33,6 +33,33 @@ constexpr std::array after_regime{
     NumberColumn{"bob_shear_rate_1_s", &RheogramPoint::bob_shear_rate},
     NumberColumn{"yield_radius_m", &RheogramPoint::yield_radius}};
 
+struct SuspensionColumn {
+    std::string_view name;
+    double SuspensionStress::*value;
+};
+
+constexpr std::array suspension_columns{
+    SuspensionColumn{"fluid_stress_Pa", &SuspensionStress::fluid},
+    SuspensionColumn{"hydrodynamic_stress_Pa", &SuspensionStress::hydrodynamic},
+    SuspensionColumn{"contact_stress_Pa", &SuspensionStress::contact},
+    SuspensionColumn{"dlvo_stress_Pa", &SuspensionStress::dlvo},
+    SuspensionColumn{"brownian_stress_Pa", &SuspensionStress::brownian},
+    SuspensionColumn{"statistical_error_Pa", &SuspensionStress::statistical_error},
+    SuspensionColumn{"bulk_fluid_stress_Pa", &SuspensionStress::bulk_fluid},
+    SuspensionColumn{"bulk_hydrodynamic_stress_Pa", &SuspensionStress::bulk_hydrodynamic},
+    SuspensionColumn{"bulk_contact_stress_Pa", &SuspensionStress::bulk_contact},
+    SuspensionColumn{"bulk_dlvo_stress_Pa", &SuspensionStress::bulk_dlvo},
+    SuspensionColumn{"bulk_brownian_stress_Pa", &SuspensionStress::bulk_brownian},
+    SuspensionColumn{"first_normal_stress_difference_Pa",
+                     &SuspensionStress::first_normal_difference},
+    SuspensionColumn{"second_normal_stress_difference_Pa",
+                     &SuspensionStress::second_normal_difference},
+    SuspensionColumn{"particle_pressure_Pa", &SuspensionStress::particle_pressure}};
+
+bool is_suspension(const Rheogram& rheogram) {
+    return !rheogram.points.empty() && rheogram.points.front().suspension.has_value();
+}
+
 constexpr const std::array<NumberColumn, 2>& drive_of(DriveColumns columns) {
     return columns == DriveColumns::turning ? turning_drive : sliding_drive;
 }
@@ -72,7 +99,7 @@ DriveColumns drive_columns(const geometry::Instrument& instrument) {
     return geometry::rotates(instrument) ? DriveColumns::turning : DriveColumns::sliding;
 }
 
-std::string rheogram_header(DriveColumns columns) {
+std::string rheogram_header(DriveColumns columns, bool suspension) {
     std::string header;
     const auto append = [&header](std::string_view name) {
         if (!header.empty())
@@ -82,11 +109,15 @@ std::string rheogram_header(DriveColumns columns) {
     for_each_column(
         columns, [&](const NumberColumn& column) { append(column.name); },
         [&] { append(regime_column); });
+    for (const SuspensionColumn& column : suspension_columns)
+        if (suspension)
+            append(column.name);
     return header;
 }
 
 void write_rheogram_csv(std::ostream& stream, const Rheogram& rheogram, DriveColumns columns) {
-    stream << rheogram_header(columns) << '\n';
+    const bool suspension = is_suspension(rheogram);
+    stream << rheogram_header(columns, suspension) << '\n';
     std::string line;
     for (const RheogramPoint& point : rheogram.points) {
         line.clear();
@@ -100,6 +131,11 @@ void write_rheogram_csv(std::ostream& stream, const Rheogram& rheogram, DriveCol
                 line += point.regime;
                 line += ',';
             });
+        for (const SuspensionColumn& column : suspension_columns)
+            if (suspension) {
+                line += number_text(point.suspension.value_or(SuspensionStress{}).*column.value);
+                line += ',';
+            }
         line.back() = '\n';
         stream << line;
     }
@@ -134,6 +170,16 @@ RheogramFile read_rheogram_csv(const std::filesystem::path& file) {
                 for (std::size_t row = 0; row < points.size(); ++row)
                     points[row].regime = std::string(trimmed(table.text(row, *index)));
         });
+    if (table.find(suspension_columns.front().name))
+        for (const SuspensionColumn& column : suspension_columns)
+            if (const std::optional<std::size_t> index = table.find(column.name)) {
+                const std::vector<double> values = numbers.read(*index, MissingValues::allowed);
+                for (std::size_t row = 0; row < points.size(); ++row) {
+                    if (!points[row].suspension)
+                        points[row].suspension.emplace();
+                    (*points[row].suspension).*column.value = values[row];
+                }
+            }
     numbers.throw_if_any();
     if (!table.find("viscosity_Pa_s"))
         for (RheogramPoint& point : points)

@@ -18,8 +18,9 @@ enum class DriveColumns {
 [[nodiscard]] DriveColumns drive_columns(const geometry::Instrument& instrument);
 
 /// The header line of rheogram.csv without its line end: the names that scripts depend on, then
-/// steady_stress_Pa,bob_shear_rate_1_s,yield_radius_m.
-[[nodiscard]] std::string rheogram_header(DriveColumns columns);
+/// steady_stress_Pa,bob_shear_rate_1_s,yield_radius_m, and for a suspension the parts of its
+/// stress.
+[[nodiscard]] std::string rheogram_header(DriveColumns columns, bool suspension = false);
 
 /// Writes rheogram.csv: header, a row per point, 17 significant digits, `nan` where there is no
 /// value, lines ending in \n.

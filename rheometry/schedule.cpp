@@ -1,5 +1,7 @@
 #include "rheometry/schedule.hpp"
 
+#include <cmath>
+
 namespace searle::rheometry {
 namespace {
 
@@ -37,7 +39,7 @@ struct Scheduler {
     }
 
     Schedule operator()(const Steps& steps) const {
-        if (!steps.hold) {
+        if (!steps.hold && !steps.hold_strain) {
             SteadySpeeds series;
             series.speeds.reserve(steps.speeds.size());
             for (const ProtocolSpeed& speed : steps.speeds) {
@@ -52,7 +54,9 @@ struct Scheduler {
         for (const ProtocolSpeed& step : steps.speeds) {
             const double speed = drive_speed(step, conversion);
             // A multiple of the hold, not a sum of holds, so that rounding does not pile up.
-            const double end = *steps.hold * static_cast<double>(history.pieces.size() + 1);
+            const double end =
+                steps.hold ? *steps.hold * static_cast<double>(history.pieces.size() + 1)
+                           : time + *steps.hold_strain / std::abs(conversion.shear_rate(speed));
             history.pieces.push_back(
                 {.start_time = time, .end_time = end, .start_speed = speed, .end_speed = speed});
             history.row_times.push_back(end);

@@ -13,7 +13,8 @@ namespace searle::rheometry {
 /// - ramp: one linear piece; rows at t = k duration / points, k = 1 ... points, the last at exactly
 ///   `duration`. Before t = 0 the drive turns at `from`, or stands still for StartState::rest.
 /// - steps with a hold: a jump at the start of each step, the first from rest; a row at each end.
-/// - steps without one: SteadySpeeds.
+/// - steps with a hold in strain: the same, each held for the strain over its shear rate.
+/// - steps without either: SteadySpeeds.
 /// - segments: linear pieces, each from the speed at which the one before ended, the first from
 /// rest.
 /// @param protocol  valid: durations > 0, points >= 1, at least one step or segment

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "rheometry/suspension_stress.hpp"
+
+#include <optional>
 #include <vector>
 
 namespace searle::rheometry {
@@ -20,6 +23,8 @@ struct TorqueRow {
     double yield_radius{};
     /// Shear rate of the steady flow at the rotor's wall, 1/s, >= 0.
     double rotor_wall_rate{};
+    /// Of a suspension; none for a fluid without particles.
+    std::optional<SuspensionStress> suspension = std::nullopt;
 };
 
 struct TorqueHistory {

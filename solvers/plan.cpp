@@ -5,6 +5,7 @@
 #include "solvers/plan_items.hpp"
 #include "solvers/plan_rows.hpp"
 #include "solvers/plan_text.hpp"
+#include "solvers/suspension/suspension_plan.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -213,6 +214,8 @@ Plan make_plan(const Scene& scene) {
     plan.model = std::move(choice.model);
     plan.model_reason = std::move(choice.reason);
     plan.taylor = std::move(forecast.taylor);
+    if (scene.particles && scene.solver.engine == Engine::native)
+        suspension::plan_suspension(scene, forecast, plan);
     plan.rows = std::move(forecast.rows);
     return plan;
 }

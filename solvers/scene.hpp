@@ -6,6 +6,7 @@
 #include "laws/flow/flow_law.hpp"
 #include "rheometry/conversion/conversion.hpp"
 #include "rheometry/protocol.hpp"
+#include "solvers/suspension/suspension_settings.hpp"
 
 #include <optional>
 #include <string>
@@ -52,8 +53,9 @@ struct Scene {
     SolverSettings solver;
     OutputSettings output;
     geometry::MeshSettings mesh;
-    /// The case has [particles] or [coupling], which this version reads and checks but cannot run.
-    bool has_particles = false;
+    /// Particles in the fluid, and how they are coupled with it; none: a fluid alone.
+    std::optional<suspension::ParticleSettings> particles;
+    suspension::CouplingSettings coupling;
 };
 
 } // namespace searle::solvers

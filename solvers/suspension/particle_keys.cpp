@@ -35,6 +35,13 @@ void add_size_keys(casefile::Keys<ParticleSettings>& keys) {
         .says("Diameter, when all particles are alike.");
     keys.tables("diameters", &ParticleSettings::diameters, size_class_keys())
         .says("Sizes of a mixture with their shares by volume, in place of diameter.");
+    keys.key("spread", &ParticleSettings::spread)
+        .is_number()
+        .at_least("0")
+        .at_most("1")
+        .example("0.2")
+        .says(
+            "Lognormal sizes: standard deviation of ln(diameter) by number, each size the median.");
     keys.key("density", &ParticleSettings::density)
         .measures(casefile::density)
         .above("0 kg/m^3")

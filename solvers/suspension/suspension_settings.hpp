@@ -47,8 +47,10 @@ enum class Integrator { automatic, explicit_steps, implicit_drag, overdamped };
 struct ParticleSettings {
     std::optional<double> diameter;   ///< m, > 0; this or `diameters`
     std::vector<SizeClass> diameters; ///< shares sum to 1
-    double density{};                 ///< kg/m^3, > 0
-    double volume_fraction{};         ///< 0 < phi < 0.74
+    /// Standard deviation of ln(diameter) by number about each size as median; 0: none.
+    double spread = 0.0;
+    double density{};         ///< kg/m^3, > 0
+    double volume_fraction{}; ///< 0 < phi < 0.74
     ParticleBoundary boundary = ParticleBoundary::walls;
     std::optional<ContactSettings> contact; ///< absent: not computed
     std::optional<ColloidSettings> dlvo;    ///< absent: not computed

@@ -59,7 +59,7 @@ TEST(case_reader, fills_the_scene_in_si_units) {
     EXPECT_EQ(ramp.points, 100);
     EXPECT_EQ(one.scene.protocol.start, rheometry::StartState::steady);
     EXPECT_EQ(one.name, "case");
-    EXPECT_FALSE(one.scene.has_particles);
+    EXPECT_FALSE(one.scene.particles.has_value());
 }
 
 // Defaults: the contract.
@@ -216,7 +216,7 @@ cells = [8, 8, 8]
 model = "A"
 interval = "auto"
 )"));
-    EXPECT_TRUE(one.scene.has_particles);
+    EXPECT_TRUE(one.scene.particles.has_value());
     EXPECT_NE(one.resolved_toml.find("temperature = \"293.15 K\""), std::string::npos);
     EXPECT_NE(one.resolved_toml.find("gravity = \"9.80665 m/s^2\""), std::string::npos);
     EXPECT_NE(one.resolved_toml.find("hamaker = \"6e-20 J\""), std::string::npos);

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "solvers/suspension/checkpoint.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace searle::app {
+
+/// A checkpoint that cannot be gone on from: of another case or version, or damaged.
+struct CheckpointError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Seconds between two checkpoints of a run; what kill -9 loses at most.
+inline constexpr double checkpoint_interval = 60.0;
+
+/// Writes an HDF5 file as a whole: beside it first, then renamed. Throws OutputWriteError (a full
+/// disk, say); the file that was there before is then still there.
+void write_checkpoint(const std::filesystem::path& file,
+                      const solvers::suspension::Checkpoint& checkpoint,
+                      const std::string& case_hash);
+
+/// No value when there is no such file. Throws CheckpointError.
+[[nodiscard]] std::optional<solvers::suspension::Checkpoint>
+read_checkpoint(const std::filesystem::path& file, const std::string& case_hash);
+
+/// Keeps a run in `file`: goes on from what is there, and saves every checkpoint_interval. A
+/// checkpoint that cannot be written is left out; `trouble` then says why.
+class CheckpointKeeper {
+public:
+    /// @param anew what is there is left aside, whatever it is
+    CheckpointKeeper(std::filesystem::path file, std::string case_hash, bool anew);
+
+    [[nodiscard]] const solvers::suspension::Checkpointing& checkpointing() const {
+        return checkpointing_;
+    }
+    [[nodiscard]] bool goes_on() const { return checkpointing_.start.has_value(); }
+    [[nodiscard]] const std::string& trouble() const { return trouble_; }
+    [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+
+private:
+    std::filesystem::path file_;
+    std::string case_hash_;
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+    std::string trouble_;
+    solvers::suspension::Checkpointing checkpointing_;
+};
+
+} // namespace searle::app

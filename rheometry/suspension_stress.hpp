@@ -1,0 +1,30 @@
+#pragma once
+
+namespace searle::rheometry {
+
+/// What the shear stress of a suspension is made of at one row, Pa. With walls the five parts are
+/// those of the force on the moving wall and sum to the row's stress; without walls they are the
+/// bulk's. The bulk parts are means over the box.
+struct SuspensionStress {
+    double fluid{};
+    double hydrodynamic{}; ///< drag, stresslets, lubrication
+    double contact{};
+    double dlvo{};
+    double brownian{};
+    double statistical_error{}; ///< standard error of the row's stress, >= 0
+    double bulk_fluid{};
+    double bulk_hydrodynamic{};
+    double bulk_contact{};
+    double bulk_dlvo{};
+    double bulk_brownian{};
+    double first_normal_difference{};  ///< sigma_xx - sigma_yy of the particles
+    double second_normal_difference{}; ///< sigma_yy - sigma_zz of the particles
+    double particle_pressure{};
+
+    [[nodiscard]] double total() const { return fluid + hydrodynamic + contact + dlvo + brownian; }
+    [[nodiscard]] double bulk_total() const {
+        return bulk_fluid + bulk_hydrodynamic + bulk_contact + bulk_dlvo + bulk_brownian;
+    }
+};
+
+} // namespace searle::rheometry

@@ -1,0 +1,238 @@
+#include "solvers/particles/neighbour_list.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace searle::solvers::particles {
+namespace {
+
+template <class Value>
+void permute(AlignedVector<Value>& column, const AlignedVector<int>& from,
+             AlignedVector<Value>& scratch) {
+    scratch.resize(column.size());
+    for (std::size_t i = 0; i < column.size(); ++i)
+        scratch[i] = column[static_cast<std::size_t>(from[i])];
+    column.swap(scratch);
+}
+
+/// Back into the box; who leaves through the top of a Lees-Edwards box enters at the bottom with
+/// the velocity of that place.
+void wrap(ParticleStore& p, const ShearBox& box) {
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (!box.walls) {
+            const double turns = std::floor(p.y[i] / box.length_y);
+            p.y[i] -= turns * box.length_y;
+            p.x[i] -= turns * box.image_offset;
+            p.vx[i] -= turns * box.image_speed;
+        }
+        p.x[i] -= box.length_x * std::floor(p.x[i] / box.length_x);
+        p.z[i] -= box.length_z * std::floor(p.z[i] / box.length_z);
+    }
+}
+
+/// Cells at least `size` long, and not many more than particles.
+int cells_along(double length, double size, std::size_t particles) {
+    const int most = 3 + static_cast<int>(2.0 * std::cbrt(static_cast<double>(particles)));
+    return static_cast<int>(std::clamp(length / size, 1.0, static_cast<double>(most)));
+}
+
+int cell_of(double position, double length, int cells) {
+    return std::clamp(static_cast<int>(position / length * cells), 0, cells - 1);
+}
+
+} // namespace
+
+bool NeighbourList::is_stale_after(double moved, double strain) {
+    moved_ += moved;
+    strain_ += strain;
+    const double sheared = std::abs(strain_) * largest_distance_;
+    return rebuilds_ == 0 || sheared + 2.0 * moved_ * (1.0 + std::abs(strain_)) > skin_;
+}
+
+void NeighbourList::rebuild(ParticleStore& particles, ShearBox& box,
+                            std::span<Column* const> companions) {
+    const double cell_size = 2.0 * particles.largest_radius() + reach_ + skin_;
+    const double shortest =
+        std::min({box.length_x, box.length_z, box.walls ? 1e300 : box.length_y});
+    if (shortest < 2.0 * cell_size)
+        throw std::invalid_argument("the box is shorter than twice the reach of the pair forces");
+    const AlignedVector<Spring> springs = kept_springs(particles);
+    wrap(particles, box);
+    sort(particles, box, cell_size, companions);
+    find_pairs(particles, box);
+    find_wall_neighbours(particles, box);
+    restore(springs, particles);
+    largest_distance_ = cell_size;
+    moved_ = 0.0;
+    strain_ = 0.0;
+    ++rebuilds_;
+}
+
+void NeighbourList::sort(ParticleStore& particles, const ShearBox& box, double cell_size,
+                         std::span<Column* const> companions) {
+    cells_x_ = cells_along(box.length_x, cell_size, particles.size());
+    cells_y_ = cells_along(box.length_y, cell_size, particles.size());
+    cells_z_ = cells_along(box.length_z, cell_size, particles.size());
+    const std::size_t count = particles.size();
+    AlignedVector<int> cell(count);
+    cell_start_.assign(static_cast<std::size_t>(cells_x_) * static_cast<std::size_t>(cells_y_) *
+                               static_cast<std::size_t>(cells_z_) +
+                           1,
+                       0);
+    for (std::size_t i = 0; i < count; ++i) {
+        const int at_x = cell_of(particles.x[i], box.length_x, cells_x_);
+        const int at_y = cell_of(particles.y[i], box.length_y, cells_y_);
+        const int at_z = cell_of(particles.z[i], box.length_z, cells_z_);
+        cell[i] = (at_z * cells_y_ + at_y) * cells_x_ + at_x;
+        ++cell_start_[static_cast<std::size_t>(cell[i]) + 1];
+    }
+    std::partial_sum(cell_start_.begin(), cell_start_.end(), cell_start_.begin());
+    AlignedVector<int> next(cell_start_.begin(), cell_start_.end() - 1);
+    AlignedVector<int> from(count);
+    for (std::size_t i = 0; i < count; ++i)
+        from[static_cast<std::size_t>(next[static_cast<std::size_t>(cell[i])]++)] =
+            static_cast<int>(i);
+    Column scratch;
+    AlignedVector<int> scratch_id;
+    for (Column* column : particles.columns())
+        permute(*column, from, scratch);
+    for (Column* column : companions)
+        permute(*column, from, scratch);
+    permute(particles.id, from, scratch_id);
+    for (Column* column : {&lower_x, &lower_z, &upper_x, &upper_z}) {
+        column->resize(count, 0.0);
+        permute(*column, from, scratch);
+    }
+}
+
+void NeighbourList::find_pairs(const ParticleStore& p, const ShearBox& box) {
+    first.clear();
+    second.clear();
+    const NearestImage nearest(box);
+    const double margin = reach_ + skin_;
+    const auto scan = [&](int i, int begin, int end) {
+        const auto at = static_cast<std::size_t>(i);
+        for (int j = begin; j < end; ++j) {
+            const auto other = static_cast<std::size_t>(j);
+            double dx = p.x[other] - p.x[at];
+            double dy = p.y[other] - p.y[at];
+            double dz = p.z[other] - p.z[at];
+            nearest(dx, dy, dz);
+            const double limit = p.radius[at] + p.radius[other] + margin;
+            if (dx * dx + dy * dy + dz * dz < limit * limit) {
+                first.push_back(std::min(i, j));
+                second.push_back(std::max(i, j));
+            }
+        }
+    };
+    // With fewer cells a neighbour would be met twice; then every pair is looked at.
+    const int least_x = box.walls ? 3 : 5;
+    if (cells_x_ < least_x || cells_z_ < 3 || (!box.walls && cells_y_ < 3)) {
+        for (int i = 0; i < static_cast<int>(p.size()); ++i)
+            scan(i, i + 1, static_cast<int>(p.size()));
+        return;
+    }
+    // Of each cell: itself, the next in x, and the rows of half of the neighbours.
+    constexpr int rows[4][2] = {{1, 0}, {-1, 1}, {0, 1}, {1, 1}};
+    const int shift = static_cast<int>(std::floor(box.image_offset / box.length_x * cells_x_));
+    for (int at_z = 0; at_z < cells_z_; ++at_z)
+        for (int at_y = 0; at_y < cells_y_; ++at_y)
+            for (int at_x = 0; at_x < cells_x_; ++at_x) {
+                const auto index = [&](int ix, int iy, int iz) {
+                    return static_cast<std::size_t>((iz * cells_y_ + iy) * cells_x_ + ix);
+                };
+                const std::size_t own = index(at_x, at_y, at_z);
+                const std::size_t after = index((at_x + 1) % cells_x_, at_y, at_z);
+                for (int i = cell_start_[own]; i < cell_start_[own + 1]; ++i) {
+                    scan(i, i + 1, cell_start_[own + 1]);
+                    scan(i, cell_start_[after], cell_start_[after + 1]);
+                    for (const auto& row : rows) {
+                        int iy = at_y + row[0];
+                        const int iz = (at_z + row[1] + cells_z_) % cells_z_;
+                        int low = -1;
+                        int high = 1;
+                        if (iy < 0 || iy >= cells_y_) {
+                            if (box.walls)
+                                continue;
+                            // The image above stands image_offset ahead.
+                            const bool up = iy >= cells_y_;
+                            low = (up ? -shift : shift) - (up ? 2 : 1);
+                            high = (up ? -shift : shift) + (up ? 1 : 2);
+                            iy = up ? 0 : cells_y_ - 1;
+                        }
+                        for (int step = low; step <= high; ++step) {
+                            const int ix = ((at_x + step) % cells_x_ + cells_x_) % cells_x_;
+                            const std::size_t cell = index(ix, iy, iz);
+                            scan(i, cell_start_[cell], cell_start_[cell + 1]);
+                        }
+                    }
+                }
+            }
+}
+
+void NeighbourList::find_wall_neighbours(const ParticleStore& p, const ShearBox& box) {
+    near_lower.clear();
+    near_upper.clear();
+    if (!box.walls)
+        return;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const double limit = p.radius[i] + reach_ + skin_;
+        if (p.y[i] < limit)
+            near_lower.push_back(static_cast<int>(i));
+        if (box.length_y - p.y[i] < limit)
+            near_upper.push_back(static_cast<int>(i));
+    }
+}
+
+AlignedVector<NeighbourList::Spring>
+NeighbourList::kept_springs(const ParticleStore& particles) const {
+    AlignedVector<Spring> kept;
+    for (std::size_t k = 0; k < first.size(); ++k) {
+        if (spring_x[k] == 0.0 && spring_y[k] == 0.0 && spring_z[k] == 0.0)
+            continue;
+        const int a = particles.id[static_cast<std::size_t>(first[k])];
+        const int b = particles.id[static_cast<std::size_t>(second[k])];
+        const double sign = a < b ? 1.0 : -1.0;
+        kept.push_back({std::min(a, b), std::max(a, b), sign * spring_x[k], sign * spring_y[k],
+                        sign * spring_z[k]});
+    }
+    return kept;
+}
+
+void NeighbourList::restore(const AlignedVector<Spring>& springs, const ParticleStore& particles) {
+    const std::size_t count = first.size();
+    spring_x.assign(count, 0.0);
+    spring_y.assign(count, 0.0);
+    spring_z.assign(count, 0.0);
+    if (springs.empty())
+        return;
+    // Springs of each particle as the one with the lower id, looked up for every pair.
+    AlignedVector<int> start(particles.size() + 1, 0);
+    for (const Spring& spring : springs)
+        ++start[static_cast<std::size_t>(spring.low) + 1];
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    AlignedVector<int> order(springs.size());
+    AlignedVector<int> next(start.begin(), start.end() - 1);
+    for (std::size_t s = 0; s < springs.size(); ++s)
+        order[static_cast<std::size_t>(next[static_cast<std::size_t>(springs[s].low)]++)] =
+            static_cast<int>(s);
+    for (std::size_t k = 0; k < count; ++k) {
+        const int a = particles.id[static_cast<std::size_t>(first[k])];
+        const int b = particles.id[static_cast<std::size_t>(second[k])];
+        const auto low = static_cast<std::size_t>(std::min(a, b));
+        for (int at = start[low]; at < start[low + 1]; ++at) {
+            const Spring& spring =
+                springs[static_cast<std::size_t>(order[static_cast<std::size_t>(at)])];
+            if (spring.high != std::max(a, b))
+                continue;
+            const double sign = a < b ? 1.0 : -1.0;
+            spring_x[k] = sign * spring.x;
+            spring_y[k] = sign * spring.y;
+            spring_z[k] = sign * spring.z;
+        }
+    }
+}
+
+} // namespace searle::solvers::particles

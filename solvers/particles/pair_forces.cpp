@@ -1,0 +1,348 @@
+#include "solvers/particles/pair_forces.hpp"
+
+#include "solvers/particles/touching_pair.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace searle::solvers::particles {
+namespace {
+
+constexpr int block = 256;
+constexpr std::size_t forces_and_torques = 6;
+
+/// A block of pairs: what the vector loop leaves for the sums over particles.
+struct Block {
+    alignas(64) double rx[block], ry[block], rz[block]; ///< from the first to the second, m
+    alignas(64) double fx[block], fy[block], fz[block]; ///< on the second, N
+    alignas(64) double surface[block];                  ///< surface distance, m
+};
+
+/// Where one thread adds forces: the particles' own columns or a copy.
+struct Sums {
+    double *fx, *fy, *fz, *tx, *ty, *tz;
+};
+
+/// What one thread works with.
+struct Worker {
+    AlignedVector<int> near;           ///< pairs within the colloid's reach
+    AlignedVector<int> touching;       ///< pairs that touch
+    AlignedVector<int> touched_before; ///< in the step before
+    Column copy;                       ///< forces and torques, for all threads but the first
+    PairSums sums;
+};
+
+void add_virial(Virial& virial, const Block& b, int count) {
+    double sum[9] = {};
+    for (int m = 0; m < count; ++m) {
+        const double r[3] = {b.rx[m], b.ry[m], b.rz[m]};
+        const double f[3] = {b.fx[m], b.fy[m], b.fz[m]};
+        for (int a = 0; a < 3; ++a)
+            for (int c = 0; c < 3; ++c)
+                sum[3 * a + c] += r[a] * f[c];
+    }
+    for (std::size_t e = 0; e < 9; ++e)
+        virial[e] += sum[e];
+}
+
+template <class Colloid, bool has_contact>
+class ComposedForces final : public PairForces {
+public:
+    ComposedForces(const laws::contact::Hooke& contact, const Colloid& colloid, int threads)
+        : contact_(contact), colloid_(colloid), workers_(static_cast<std::size_t>(threads)) {}
+
+    PairSums evaluate(ParticleStore& p, const ShearBox& box, NeighbourList& list, double step,
+                      bool sampling) override {
+        const auto threads = static_cast<int>(workers_.size());
+        const bool renumbered = list.rebuilds() != rebuilds_seen_;
+        rebuilds_seen_ = list.rebuilds();
+#pragma omp parallel num_threads(threads) if (threads > 1)
+        {
+#pragma omp for schedule(static, 1)
+            for (int t = 0; t < threads; ++t) {
+                Worker& worker = workers_[static_cast<std::size_t>(t)];
+                const auto pairs = static_cast<long>(list.size());
+                const auto begin = static_cast<int>(pairs * t / threads);
+                const auto end = static_cast<int>(pairs * (t + 1) / threads);
+                if (renumbered)
+                    worker.touched_before = pairs_with_springs(list, begin, end);
+                const Sums sums = sums_of(worker, p, t);
+                worker.sums = {};
+                select(p, box, list, begin, end, worker);
+                if constexpr (!std::is_same_v<Colloid, NoColloid>)
+                    act_at_distance(p, box, list, worker, sums, sampling);
+                if constexpr (has_contact)
+                    act_at_contact(p, box, list, worker, sums, step, sampling);
+            }
+            if (threads > 1)
+                gather(p);
+        }
+        return total();
+    }
+
+private:
+    static constexpr bool has_colloid = !std::is_same_v<Colloid, NoColloid>;
+
+    Sums sums_of(Worker& worker, ParticleStore& p, int thread) const {
+        if (thread == 0)
+            return {p.fx.data(), p.fy.data(), p.fz.data(), p.tx.data(), p.ty.data(), p.tz.data()};
+        const std::size_t count = p.size();
+        worker.copy.assign(forces_and_torques * count, 0.0);
+        double* at = worker.copy.data();
+        return {at, at + count, at + 2 * count, at + 3 * count, at + 4 * count, at + 5 * count};
+    }
+
+    static AlignedVector<int> pairs_with_springs(const NeighbourList& list, int begin, int end) {
+        AlignedVector<int> found;
+        for (int k = begin; k < end; ++k) {
+            const auto at = static_cast<std::size_t>(k);
+            if (list.spring_x[at] != 0.0 || list.spring_y[at] != 0.0 || list.spring_z[at] != 0.0)
+                found.push_back(k);
+        }
+        return found;
+    }
+
+    /// The pairs of the list that act in this step.
+    void select(const ParticleStore& p, const ShearBox& box, const NeighbourList& list, int begin,
+                int end, Worker& worker) const {
+        double reach = 0.0;
+        if constexpr (has_colloid)
+            reach = colloid_.cutoff;
+        const NearestImage nearest(box);
+        const int* first = list.first.data();
+        const int* second = list.second.data();
+        const double *x = p.x.data(), *y = p.y.data(), *z = p.z.data(), *radius = p.radius.data();
+        AlignedVector<int>& near = worker.near;
+        near.resize(static_cast<std::size_t>(end - begin) + 1);
+        int found = 0;
+        alignas(64) double excess[block];
+        for (int start = begin; start < end; start += block) {
+            const int count = std::min(block, end - start);
+#pragma omp simd
+            for (int m = 0; m < count; ++m) {
+                const int i = first[start + m];
+                const int j = second[start + m];
+                double dx = x[j] - x[i];
+                double dy = y[j] - y[i];
+                double dz = z[j] - z[i];
+                nearest(dx, dy, dz);
+                const double limit = radius[i] + radius[j] + reach;
+                excess[m] = dx * dx + dy * dy + dz * dz - limit * limit;
+            }
+            int* out = near.data();
+            for (int m = 0; m < count; ++m) {
+                out[found] = start + m;
+                found += excess[m] < 0.0 ? 1 : 0;
+            }
+        }
+        near.resize(static_cast<std::size_t>(found));
+    }
+
+    void act_at_distance(const ParticleStore& p, const ShearBox& box, const NeighbourList& list,
+                         Worker& worker, const Sums& sums, bool sampling) const {
+        const NearestImage nearest(box);
+        const int* first = list.first.data();
+        const int* second = list.second.data();
+        const double *x = p.x.data(), *y = p.y.data(), *z = p.z.data(), *radius = p.radius.data();
+        const int total = static_cast<int>(worker.near.size());
+        worker.touching.resize(worker.near.size() + 1);
+        int touching = 0;
+        Block b;
+        for (int start = 0; start < total; start += block) {
+            const int count = std::min(block, total - start);
+            const int* near = worker.near.data() + start;
+#pragma omp simd
+            for (int m = 0; m < count; ++m) {
+                const int i = first[near[m]];
+                const int j = second[near[m]];
+                double dx = x[j] - x[i];
+                double dy = y[j] - y[i];
+                double dz = z[j] - z[i];
+                nearest(dx, dy, dz);
+                const double r = std::sqrt(dx * dx + dy * dy + dz * dz);
+                const double h = r - radius[i] - radius[j];
+                const double share = colloid_.repulsion(h, radius[i], radius[j]) / r;
+                b.rx[m] = dx;
+                b.ry[m] = dy;
+                b.rz[m] = dz;
+                b.fx[m] = share * dx;
+                b.fy[m] = share * dy;
+                b.fz[m] = share * dz;
+                b.surface[m] = h;
+            }
+            for (int m = 0; m < count; ++m) {
+                const int i = first[near[m]];
+                const int j = second[near[m]];
+                sums.fx[i] -= b.fx[m];
+                sums.fy[i] -= b.fy[m];
+                sums.fz[i] -= b.fz[m];
+                sums.fx[j] += b.fx[m];
+                sums.fy[j] += b.fy[m];
+                sums.fz[j] += b.fz[m];
+                worker.touching[static_cast<std::size_t>(touching)] = near[m];
+                touching += b.surface[m] < 0.0 ? 1 : 0;
+            }
+            if (sampling)
+                add_virial(worker.sums.colloid, b, count);
+        }
+        worker.touching.resize(static_cast<std::size_t>(touching));
+    }
+
+    void act_at_contact(const ParticleStore& p, const ShearBox& box, NeighbourList& list,
+                        Worker& worker, const Sums& sums, double step, bool sampling) const {
+        const AlignedVector<int>& touching = has_colloid ? worker.touching : worker.near;
+        const NearestImage nearest(box);
+        Block b;
+        int filled = 0;
+        // Springs of pairs that parted; both lists ascend.
+        auto now = touching.begin();
+        for (const int k : worker.touched_before) {
+            while (now != touching.end() && *now < k)
+                ++now;
+            if (now == touching.end() || *now != k) {
+                const auto at = static_cast<std::size_t>(k);
+                list.spring_x[at] = list.spring_y[at] = list.spring_z[at] = 0.0;
+            }
+        }
+        for (const int k : touching) {
+            const auto at = static_cast<std::size_t>(k);
+            const auto i = static_cast<std::size_t>(list.first[at]);
+            const auto j = static_cast<std::size_t>(list.second[at]);
+            double dx = p.x[j] - p.x[i];
+            double dy = p.y[j] - p.y[i];
+            double dz = p.z[j] - p.z[i];
+            const double crossings = nearest(dx, dy, dz);
+            const double r = std::sqrt(dx * dx + dy * dy + dz * dz);
+            const double inverse = 1.0 / r;
+            const double overlap = p.radius[i] + p.radius[j] - r;
+            const Touch touch{.nx = dx * inverse,
+                              .ny = dy * inverse,
+                              .nz = dz * inverse,
+                              .overlap = overlap,
+                              .vx = p.vx[j] - p.vx[i] - crossings * box.image_speed,
+                              .vy = p.vy[j] - p.vy[i],
+                              .vz = p.vz[j] - p.vz[i],
+                              .lever_first = p.radius[i] - 0.5 * overlap,
+                              .lever_second = p.radius[j] - 0.5 * overlap,
+                              .wx1 = p.wx[i],
+                              .wy1 = p.wy[i],
+                              .wz1 = p.wz[i],
+                              .wx2 = p.wx[j],
+                              .wy2 = p.wy[j],
+                              .wz2 = p.wz[j],
+                              .reduced_mass = p.mass[i] * p.mass[j] / (p.mass[i] + p.mass[j]),
+                              .rolling_radius =
+                                  p.radius[i] * p.radius[j] / (p.radius[i] + p.radius[j])};
+            const TouchForce f = touch_force(contact_, touch, step, list.spring_x[at],
+                                             list.spring_y[at], list.spring_z[at]);
+            const double fx = f.normal * touch.nx + f.tx;
+            const double fy = f.normal * touch.ny + f.ty;
+            const double fz = f.normal * touch.nz + f.tz;
+            sums.fx[i] -= fx;
+            sums.fy[i] -= fy;
+            sums.fz[i] -= fz;
+            sums.fx[j] += fx;
+            sums.fy[j] += fy;
+            sums.fz[j] += fz;
+            if (contact_.friction != 0.0) {
+                const double cx = touch.ny * f.tz - touch.nz * f.ty;
+                const double cy = touch.nz * f.tx - touch.nx * f.tz;
+                const double cz = touch.nx * f.ty - touch.ny * f.tx;
+                sums.tx[i] -= touch.lever_first * cx + f.rx;
+                sums.ty[i] -= touch.lever_first * cy + f.ry;
+                sums.tz[i] -= touch.lever_first * cz + f.rz;
+                sums.tx[j] -= touch.lever_second * cx - f.rx;
+                sums.ty[j] -= touch.lever_second * cy - f.ry;
+                sums.tz[j] -= touch.lever_second * cz - f.rz;
+            }
+            if (overlap > worker.sums.largest_overlap) {
+                worker.sums.largest_overlap = overlap;
+                worker.sums.deepest_first = p.id[i];
+                worker.sums.deepest_second = p.id[j];
+            }
+            if (sampling) {
+                b.rx[filled] = dx;
+                b.ry[filled] = dy;
+                b.rz[filled] = dz;
+                b.fx[filled] = fx;
+                b.fy[filled] = fy;
+                b.fz[filled] = fz;
+                if (++filled == block) {
+                    add_virial(worker.sums.contact, b, filled);
+                    filled = 0;
+                }
+            }
+        }
+        if (sampling)
+            add_virial(worker.sums.contact, b, filled);
+        worker.sums.contacts = static_cast<long>(touching.size());
+        worker.touched_before = touching;
+    }
+
+    /// Adds the other threads' sums to the particles', in the order of the threads.
+    void gather(ParticleStore& p) {
+        const auto count = static_cast<long>(p.size());
+        double* target[forces_and_torques] = {p.fx.data(), p.fy.data(), p.fz.data(),
+                                              p.tx.data(), p.ty.data(), p.tz.data()};
+        for (std::size_t c = 0; c < forces_and_torques; ++c)
+            for (std::size_t t = 1; t < workers_.size(); ++t) {
+                const double* from = workers_[t].copy.data() + c * p.size();
+                double* to = target[c];
+#pragma omp for simd schedule(static)
+                for (long i = 0; i < count; ++i)
+                    to[i] += from[i];
+            }
+    }
+
+    [[nodiscard]] PairSums total() const {
+        PairSums sum = workers_.front().sums;
+        for (std::size_t t = 1; t < workers_.size(); ++t) {
+            const PairSums& other = workers_[t].sums;
+            for (std::size_t e = 0; e < 9; ++e) {
+                sum.contact[e] += other.contact[e];
+                sum.colloid[e] += other.colloid[e];
+            }
+            sum.contacts += other.contacts;
+            if (other.largest_overlap > sum.largest_overlap) {
+                sum.largest_overlap = other.largest_overlap;
+                sum.deepest_first = other.deepest_first;
+                sum.deepest_second = other.deepest_second;
+            }
+        }
+        return sum;
+    }
+
+    laws::contact::Hooke contact_;
+    Colloid colloid_;
+    std::vector<Worker> workers_;
+    long rebuilds_seen_ = 0;
+};
+
+} // namespace
+
+double reach_of(const AnyColloid& colloid) {
+    return std::visit(
+        []<class Colloid>(const Colloid& chosen) {
+            if constexpr (std::is_same_v<Colloid, NoColloid>)
+                return 0.0;
+            else
+                return chosen.cutoff;
+        },
+        colloid);
+}
+
+std::unique_ptr<PairForces> make_pair_forces(const std::optional<laws::contact::Hooke>& contact,
+                                             const AnyColloid& colloid, int threads) {
+    return std::visit(
+        [&]<class Colloid>(const Colloid& chosen) -> std::unique_ptr<PairForces> {
+            if (contact)
+                return std::make_unique<ComposedForces<Colloid, true>>(*contact, chosen, threads);
+            return std::make_unique<ComposedForces<Colloid, false>>(laws::contact::Hooke{}, chosen,
+                                                                    threads);
+        },
+        colloid);
+}
+
+} // namespace searle::solvers::particles

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "laws/contact/hooke.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace searle::solvers::particles {
+
+/// Two touching spheres, or a sphere and a wall, seen from the first: `normal` points to the
+/// second.
+struct Touch {
+    double nx, ny, nz;
+    double overlap;      ///< m, > 0
+    double vx, vy, vz;   ///< velocity of the second's centre less that of the first, m/s
+    double lever_first;  ///< centre to contact, m
+    double lever_second; ///< 0 for a wall that does not turn
+    double wx1, wy1, wz1, wx2, wy2, wz2; ///< angular velocities, rad/s
+    double reduced_mass;                 ///< kg
+    double rolling_radius;               ///< r_1 r_2 / (r_1 + r_2), m
+};
+
+/// Force on the second and the rolling torque on it (the first has the opposite of both).
+struct TouchForce {
+    double normal;     ///< along the normal, N
+    double tx, ty, tz; ///< tangential force, N
+    double rx, ry, rz; ///< rolling torque on the second, N m
+};
+
+/// Hooke's law for one contact; moves the tangential spring (sx, sy, sz) by `step`. The spring is
+/// kept in the tangent plane and cut back to Coulomb's limit while the contact slides.
+inline TouchForce touch_force(const laws::contact::Hooke& law, const Touch& t, double step,
+                              double& sx, double& sy, double& sz) {
+    TouchForce out{};
+    const double gamma = law.normal_damping(t.reduced_mass);
+    const double separating = t.vx * t.nx + t.vy * t.ny + t.vz * t.nz;
+    out.normal = law.normal_force(t.overlap, separating, gamma);
+    if (law.friction == 0.0)
+        return out;
+    const double wx = t.lever_first * t.wx1 + t.lever_second * t.wx2;
+    const double wy = t.lever_first * t.wy1 + t.lever_second * t.wy2;
+    const double wz = t.lever_first * t.wz1 + t.lever_second * t.wz2;
+    const double sliding_x = t.vx - separating * t.nx - (wy * t.nz - wz * t.ny);
+    const double sliding_y = t.vy - separating * t.ny - (wz * t.nx - wx * t.nz);
+    const double sliding_z = t.vz - separating * t.nz - (wx * t.ny - wy * t.nx);
+    sx += sliding_x * step;
+    sy += sliding_y * step;
+    sz += sliding_z * step;
+    const double out_of_plane = sx * t.nx + sy * t.ny + sz * t.nz;
+    sx -= out_of_plane * t.nx;
+    sy -= out_of_plane * t.ny;
+    sz -= out_of_plane * t.nz;
+    const double dashpot = 0.5 * gamma;
+    const double stiffness = law.tangential_stiffness;
+    out.tx = -stiffness * sx - dashpot * sliding_x;
+    out.ty = -stiffness * sy - dashpot * sliding_y;
+    out.tz = -stiffness * sz - dashpot * sliding_z;
+    const double size = std::sqrt(out.tx * out.tx + out.ty * out.ty + out.tz * out.tz);
+    const double limit = law.friction * std::abs(out.normal);
+    if (size > limit) {
+        const double share = limit / size;
+        out.tx *= share;
+        out.ty *= share;
+        out.tz *= share;
+        if (stiffness > 0.0) {
+            sx = -(out.tx + dashpot * sliding_x) / stiffness;
+            sy = -(out.ty + dashpot * sliding_y) / stiffness;
+            sz = -(out.tz + dashpot * sliding_z) / stiffness;
+        }
+    }
+    if (law.rolling_friction > 0.0) {
+        // A constant torque against the rolling (Ai et al. 2011, Powder Technol. 206, 269, type A),
+        // viscous below it, so that it does not jump at rest.
+        const double ux = t.wx2 - t.wx1;
+        const double uy = t.wy2 - t.wy1;
+        const double uz = t.wz2 - t.wz1;
+        const double twist = ux * t.nx + uy * t.ny + uz * t.nz;
+        const double rolling_x = ux - twist * t.nx;
+        const double rolling_y = uy - twist * t.ny;
+        const double rolling_z = uz - twist * t.nz;
+        const double speed =
+            std::sqrt(rolling_x * rolling_x + rolling_y * rolling_y + rolling_z * rolling_z);
+        const double viscous = dashpot * t.rolling_radius * t.rolling_radius;
+        const double most = law.rolling_friction * t.rolling_radius * std::abs(out.normal);
+        const double factor = speed * viscous > most ? most / speed : viscous;
+        out.rx = -factor * rolling_x;
+        out.ry = -factor * rolling_y;
+        out.rz = -factor * rolling_z;
+    }
+    return out;
+}
+
+} // namespace searle::solvers::particles

@@ -1,0 +1,177 @@
+#include "solvers/suspension/lubrication_pairs.hpp"
+
+#include "laws/lubrication/near_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace searle::solvers::suspension {
+namespace {
+
+/// Force of the colloid and how much it rises per approach, N and N/m, where it rises.
+template <class Colloid>
+void add_colloid(const Colloid& colloid, double gap, double r_1, double r_2, NearPair& pair) {
+    if constexpr (!std::is_same_v<Colloid, particles::NoColloid>) {
+        if (gap >= colloid.cutoff)
+            return;
+        pair.push += colloid.repulsion(gap, r_1, r_2);
+        const double probe = 1e-4 * colloid.minimum_separation + 1e-5 * std::abs(gap);
+        const double rise =
+            (colloid.repulsion(gap - probe, r_1, r_2) - colloid.repulsion(gap + probe, r_1, r_2)) /
+            (2.0 * probe);
+        pair.colloid_stiffness = std::max(rise, 0.0);
+    }
+}
+
+void add_contact(const laws::contact::Hooke& law, double overlap, std::size_t listed,
+                 const particles::NeighbourList& list, NearPair& pair) {
+    pair.touches = true;
+    pair.stiffness = law.normal_stiffness;
+    pair.contact_push = law.normal_stiffness * overlap;
+    pair.push += pair.contact_push;
+    if (law.friction == 0.0)
+        return;
+    const double along = list.spring_x[listed] * pair.nx + list.spring_y[listed] * pair.ny +
+                         list.spring_z[listed] * pair.nz;
+    const double stiffness = law.tangential_stiffness;
+    pair.tx = -stiffness * (list.spring_x[listed] - along * pair.nx);
+    pair.ty = -stiffness * (list.spring_y[listed] - along * pair.ny);
+    pair.tz = -stiffness * (list.spring_z[listed] - along * pair.nz);
+    const double size = std::sqrt(pair.tx * pair.tx + pair.ty * pair.ty + pair.tz * pair.tz);
+    const double limit = law.friction * pair.contact_push;
+    pair.tangential_stiffness = stiffness;
+    if (size >= limit * (1.0 - 1e-9)) {
+        const double share = size > 0.0 ? limit / size : 0.0;
+        pair.tx *= share;
+        pair.ty *= share;
+        pair.tz *= share;
+        pair.tangential_stiffness = 0.0;
+    }
+}
+
+} // namespace
+
+particles::PairSums gather_near_pairs(const particles::ParticleStore& p,
+                                      const particles::ShearBox& box,
+                                      const particles::NeighbourList& list,
+                                      const LubricationSettings& settings,
+                                      const std::optional<laws::contact::Hooke>& contact,
+                                      const particles::AnyColloid& colloid, double step,
+                                      particles::AlignedVector<NearPair>& pairs) {
+    particles::PairSums sums;
+    pairs.clear();
+    const particles::NearestImage nearest(box);
+    const double reach = particles::reach_of(colloid);
+    for (std::size_t k = 0; k < list.size(); ++k) {
+        const auto i = static_cast<std::size_t>(list.first[k]);
+        const auto j = static_cast<std::size_t>(list.second[k]);
+        double dx = p.x[j] - p.x[i];
+        double dy = p.y[j] - p.y[i];
+        double dz = p.z[j] - p.z[i];
+        nearest(dx, dy, dz);
+        const double radii = p.radius[i] + p.radius[j];
+        const double farthest = radii + std::max(0.5 * settings.farthest_gap * radii, reach);
+        const double squared = dx * dx + dy * dy + dz * dz;
+        if (squared >= farthest * farthest)
+            continue;
+        const double distance = std::sqrt(squared);
+        const double gap = distance - radii;
+        NearPair pair{};
+        pair.first = list.first[k];
+        pair.second = list.second[k];
+        pair.listed = static_cast<int>(k);
+        pair.nx = dx / distance;
+        pair.ny = dy / distance;
+        pair.nz = dz / distance;
+        pair.distance = distance;
+        pair.lever_first = distance * p.radius[i] / radii / settings.length_unit;
+        pair.lever_second = distance * p.radius[j] / radii / settings.length_unit;
+        if (gap < 0.5 * settings.farthest_gap * radii) {
+            const double rough = std::max(gap, 0.0) + 0.5 * settings.roughness * radii;
+            const laws::lubrication::Film film =
+                laws::lubrication::film(rough, p.radius[i], p.radius[j], settings.viscosity,
+                                        laws::lubrication::Squeeze::leading);
+            pair.squeeze = film.squeeze;
+            pair.shear = film.shear;
+            pair.mixed = film.mixed / settings.length_unit;
+            pair.pump = film.pump / (settings.length_unit * settings.length_unit);
+            pair.twist = film.twist / (settings.length_unit * settings.length_unit);
+        }
+        pair.film_squeeze = pair.squeeze;
+        pair.film_shear = pair.shear;
+        std::visit([&](const auto& law) { add_colloid(law, gap, p.radius[i], p.radius[j], pair); },
+                   colloid);
+        if (contact && gap < 0.0) {
+            add_contact(*contact, -gap, k, list, pair);
+            ++sums.contacts;
+            if (-gap > sums.largest_overlap) {
+                sums.largest_overlap = -gap;
+                sums.deepest_first = p.id[i];
+                sums.deepest_second = p.id[j];
+            }
+        }
+        // Springs as at the step's end: they resist the motion within it.
+        pair.squeeze += step * (pair.stiffness + pair.colloid_stiffness);
+        pair.shear += step * pair.tangential_stiffness;
+        pairs.push_back(pair);
+    }
+    return sums;
+}
+
+void add_resistance(const particles::AlignedVector<NearPair>& pairs, const Motions& motions,
+                    Motions& forces) {
+    for (const NearPair& c : pairs) {
+        const Motion& a = motions[static_cast<std::size_t>(c.first)];
+        const Motion& b = motions[static_cast<std::size_t>(c.second)];
+        const double ux = b[0] - a[0];
+        const double uy = b[1] - a[1];
+        const double uz = b[2] - a[2];
+        const double along = ux * c.nx + uy * c.ny + uz * c.nz;
+        const double lx = c.lever_first * a[3] + c.lever_second * b[3];
+        const double ly = c.lever_first * a[4] + c.lever_second * b[4];
+        const double lz = c.lever_first * a[5] + c.lever_second * b[5];
+        const double sx = ux - along * c.nx - (ly * c.nz - lz * c.ny);
+        const double sy = uy - along * c.ny - (lz * c.nx - lx * c.nz);
+        const double sz = uz - along * c.nz - (lx * c.ny - ly * c.nx);
+        const double wx = b[3] - a[3];
+        const double wy = b[4] - a[4];
+        const double wz = b[5] - a[5];
+        const double turn = wx * c.nx + wy * c.ny + wz * c.nz;
+        const double rx = wy * c.nz - wz * c.ny;
+        const double ry = wz * c.nx - wx * c.nz;
+        const double rz = wx * c.ny - wy * c.nx;
+        const double qx = c.shear * sx + c.mixed * rx;
+        const double qy = c.shear * sy + c.mixed * ry;
+        const double qz = c.shear * sz + c.mixed * rz;
+        const double px = c.mixed * sx + c.pump * rx;
+        const double py = c.mixed * sy + c.pump * ry;
+        const double pz = c.mixed * sz + c.pump * rz;
+        const double fx = c.squeeze * along * c.nx + qx;
+        const double fy = c.squeeze * along * c.ny + qy;
+        const double fz = c.squeeze * along * c.nz + qz;
+        // n x q and n x p
+        const double nqx = c.ny * qz - c.nz * qy;
+        const double nqy = c.nz * qx - c.nx * qz;
+        const double nqz = c.nx * qy - c.ny * qx;
+        const double npx = c.ny * pz - c.nz * py;
+        const double npy = c.nz * px - c.nx * pz;
+        const double npz = c.nx * py - c.ny * px;
+        const double twist = c.twist * turn;
+        Motion& fa = forces[static_cast<std::size_t>(c.first)];
+        Motion& fb = forces[static_cast<std::size_t>(c.second)];
+        fa[0] -= fx;
+        fa[1] -= fy;
+        fa[2] -= fz;
+        fb[0] += fx;
+        fb[1] += fy;
+        fb[2] += fz;
+        fa[3] -= c.lever_first * nqx + npx + twist * c.nx;
+        fa[4] -= c.lever_first * nqy + npy + twist * c.ny;
+        fa[5] -= c.lever_first * nqz + npz + twist * c.nz;
+        fb[3] -= c.lever_second * nqx - npx - twist * c.nx;
+        fb[4] -= c.lever_second * nqy - npy - twist * c.ny;
+        fb[5] -= c.lever_second * nqz - npz - twist * c.nz;
+    }
+}
+
+} // namespace searle::solvers::suspension

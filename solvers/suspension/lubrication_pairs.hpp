@@ -1,0 +1,57 @@
+#pragma once
+
+#include "laws/contact/hooke.hpp"
+#include "solvers/particles/aligned_vector.hpp"
+#include "solvers/particles/neighbour_list.hpp"
+#include "solvers/particles/pair_forces.hpp"
+
+#include <array>
+#include <optional>
+
+namespace searle::solvers::suspension {
+
+/// Velocity of each particle against the mean flow: three components, then three of the angular
+/// velocity times one length (so that all have one unit), then two of padding.
+using Motion = std::array<double, 8>;
+using Motions = particles::AlignedVector<Motion>;
+
+/// One near pair: the film between it, its springs as they resist the motion within a step, and the
+/// force that acts without motion.
+struct NearPair {
+    int first, second;
+    int listed;                       ///< its place in the neighbour list
+    double nx, ny, nz;                ///< unit vector from first to second
+    double distance;                  ///< of the centres, m
+    double lever_first, lever_second; ///< centre to the middle of the gap, over the length unit
+    double squeeze, shear, mixed, pump, twist; ///< film; springs times the step are added
+    double film_squeeze, film_shear;           ///< of the film alone
+    double push;                         ///< force along n that pushes apart at the step's start, N
+    double contact_push;                 ///< of it the contact's
+    double stiffness, colloid_stiffness; ///< N/m, of contact and colloid, along n
+    double tx, ty, tz;           ///< contact's tangential force on the second at the start, N
+    double tangential_stiffness; ///< N/m, 0 while sliding
+    bool touches;
+};
+
+struct LubricationSettings {
+    double viscosity{};    ///< Pa s
+    double farthest_gap{}; ///< xi beyond which a pair has no film
+    double roughness{};    ///< added to xi: the film of touching spheres is finite
+    double length_unit{};  ///< m, of Motion's rotations
+};
+
+/// Finds the near pairs and what acts in them.
+/// @param step s, for the springs  @return sums over the contacts
+particles::PairSums gather_near_pairs(const particles::ParticleStore& particles,
+                                      const particles::ShearBox& box,
+                                      const particles::NeighbourList& list,
+                                      const LubricationSettings& settings,
+                                      const std::optional<laws::contact::Hooke>& contact,
+                                      const particles::AnyColloid& colloid, double step,
+                                      particles::AlignedVector<NearPair>& pairs);
+
+/// Adds the resistance of all pairs times the motions.
+void add_resistance(const particles::AlignedVector<NearPair>& pairs, const Motions& motions,
+                    Motions& forces);
+
+} // namespace searle::solvers::suspension

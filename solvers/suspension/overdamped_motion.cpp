@@ -1,0 +1,395 @@
+#include "solvers/suspension/overdamped_motion.hpp"
+
+#include "laws/drag/stokes.hpp"
+#include "solvers/suspension/particle_checkpoint.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace searle::solvers::suspension {
+namespace {
+
+constexpr double residual_share = 1e-4; ///< of the right side, that the solve leaves over
+constexpr int most_iterations = 2000;
+constexpr double strain_share = 1e-3; ///< strain within a step
+constexpr double move_share = 2e-3;   ///< displacement beside the mean flow within a step, radii
+constexpr double range_share = 0.2;   ///< closing of a pair within a step over the Debye length
+constexpr double deepest_share = 0.2; ///< of the radius
+
+using Block = Eigen::Matrix<double, 6, 6>;
+
+double dot(const Motions& a, const Motions& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (std::size_t c = 0; c < 8; ++c)
+            sum += a[i][c] * b[i][c];
+    return sum;
+}
+
+double reach_for(const SuspensionInput& input, const particles::AnyColloid& colloid) {
+    return std::max(farthest_film * input.particles.largest_radius(), particles::reach_of(colloid));
+}
+
+} // namespace
+
+OverdampedMotion::OverdampedMotion(SuspensionInput input)
+    : input_(std::move(input)), particles_(input_.particles), box_(input_.box),
+      contact_(contact_law(input_.settings.contact)),
+      colloid_(colloid_law(input_.settings.dlvo, input_.settings.temperature)),
+      films_{.viscosity = input_.viscosity,
+             .farthest_gap = farthest_film,
+             .roughness = film_roughness,
+             .length_unit = input_.particles.largest_radius()},
+      list_(reach_for(input_, colloid_), 0.25 * input_.particles.largest_radius()) {
+    const std::size_t count = particles_.size();
+    for (Motions* each : {&motion_, &right_side_, &residual_, &direction_, &image_, &scaled_})
+        each->assign(count, Motion{});
+    blocks_.resize(count);
+    drag_.resize(count);
+    turning_drag_.resize(count);
+    list_.rebuild(particles_, box_);
+}
+
+double OverdampedMotion::choose_step(double rate) const {
+    if (input_.settings.time_step)
+        return *input_.settings.time_step;
+    const double scale = std::clamp(input_.accuracy / 1e-2, 0.02, 1.0);
+    double step = strain_share / std::max(std::abs(rate), 1e-300);
+    const double radius = *std::min_element(particles_.radius.begin(), particles_.radius.end());
+    if (counts_.steps == 0)
+        step *= 0.01;
+    else
+        step = std::min(step, 1.2 * step_ / scale);
+    if (fastest_ > 0.0)
+        step = std::min(step, move_share * radius / fastest_);
+    if (input_.settings.dlvo && fastest_closing_ > 0.0)
+        step = std::min(step, range_share *
+                                  debye_length(*input_.settings.dlvo, input_.settings.temperature) /
+                                  fastest_closing_);
+    return scale * step;
+}
+
+void OverdampedMotion::set_right_side(double rate) {
+    for (Motion& each : right_side_)
+        each = {};
+    for (const NearPair& c : pairs_) {
+        // Mean straining motion of the second against the first.
+        const double half = 0.5 * rate * c.distance;
+        const double ux = half * c.ny;
+        const double uy = half * c.nx;
+        const double along = ux * c.nx + uy * c.ny;
+        const double sx = ux - along * c.nx;
+        const double sy = uy - along * c.ny;
+        const double sz = -along * c.nz;
+        // On the first: the film's drag of the straining motion, less what pushes the second.
+        const double normal = c.squeeze * along - c.push;
+        const double qx = c.shear * sx - c.tx;
+        const double qy = c.shear * sy - c.ty;
+        const double qz = c.shear * sz - c.tz;
+        const double px = c.mixed * sx;
+        const double py = c.mixed * sy;
+        const double pz = c.mixed * sz;
+        const double fx = normal * c.nx + qx;
+        const double fy = normal * c.ny + qy;
+        const double fz = normal * c.nz + qz;
+        const double nqx = c.ny * qz - c.nz * qy;
+        const double nqy = c.nz * qx - c.nx * qz;
+        const double nqz = c.nx * qy - c.ny * qx;
+        const double npx = c.ny * pz - c.nz * py;
+        const double npy = c.nz * px - c.nx * pz;
+        const double npz = c.nx * py - c.ny * px;
+        Motion& a = right_side_[static_cast<std::size_t>(c.first)];
+        Motion& b = right_side_[static_cast<std::size_t>(c.second)];
+        a[0] += fx;
+        a[1] += fy;
+        a[2] += fz;
+        b[0] -= fx;
+        b[1] -= fy;
+        b[2] -= fz;
+        a[3] += c.lever_first * nqx + npx;
+        a[4] += c.lever_first * nqy + npy;
+        a[5] += c.lever_first * nqz + npz;
+        b[3] += c.lever_second * nqx - npx;
+        b[4] += c.lever_second * nqy - npy;
+        b[5] += c.lever_second * nqz - npz;
+    }
+}
+
+void OverdampedMotion::precondition() {
+    const double unit = films_.length_unit;
+    paired_.assign(particles_.size(), 0);
+    for (const NearPair& c : pairs_)
+        paired_[static_cast<std::size_t>(c.first)] = paired_[static_cast<std::size_t>(c.second)] =
+            1;
+    for (std::size_t i = 0; i < particles_.size(); ++i) {
+        drag_[i] =
+            laws::drag::Stokes{input_.viscosity, 0.0}.coefficient(particles_.radius[i], 0, 1);
+        turning_drag_[i] =
+            laws::drag::rotational_coefficient(input_.viscosity, particles_.radius[i]) /
+            (unit * unit);
+        if (paired_[i] == 0)
+            continue;
+        Eigen::Map<Block> block(blocks_[i].data());
+        block.setZero();
+        block.diagonal().head<3>().setConstant(drag_[i]);
+        block.diagonal().tail<3>().setConstant(turning_drag_[i]);
+    }
+    const auto add = [&](int particle, const NearPair& c, double lever, double mixed, double sign) {
+        Eigen::Map<Block> block(blocks_[static_cast<std::size_t>(particle)].data());
+        const Eigen::Vector3d n(c.nx, c.ny, c.nz);
+        const Eigen::Matrix3d along = n * n.transpose();
+        const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - along;
+        block.topLeftCorner<3, 3>() += c.squeeze * along + c.shear * across;
+        block.bottomRightCorner<3, 3>() +=
+            (c.shear * lever * lever + 2.0 * mixed * lever + c.pump) * across + c.twist * along;
+        Eigen::Matrix3d cross;
+        cross << 0.0, -n.z(), n.y(), n.z(), 0.0, -n.x(), -n.y(), n.x(), 0.0;
+        const Eigen::Matrix3d coupling = sign * (c.shear * lever + mixed) * cross;
+        block.topRightCorner<3, 3>() += coupling;
+        block.bottomLeftCorner<3, 3>() += coupling.transpose();
+    };
+    for (const NearPair& c : pairs_) {
+        add(c.first, c, c.lever_first, c.mixed, -1.0);
+        add(c.second, c, c.lever_second, -c.mixed, 1.0);
+    }
+    for (std::size_t i = 0; i < particles_.size(); ++i) {
+        if (paired_[i] == 0)
+            continue;
+        Eigen::Map<Block> block(blocks_[i].data());
+        const Block inverse = block.llt().solve(Block::Identity());
+        block = inverse;
+    }
+}
+
+void OverdampedMotion::solve() {
+    const std::size_t count = particles_.size();
+    const auto apply = [&](const Motions& in, Motions& out) {
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t c = 0; c < 8; ++c)
+                out[i][c] = (c < 3 ? drag_[i] : turning_drag_[i]) * in[i][c];
+        add_resistance(pairs_, in, out);
+    };
+    const auto scale = [&](const Motions& in, Motions& out) {
+        for (std::size_t i = 0; i < count; ++i) {
+            if (paired_[i] == 0) {
+                for (std::size_t c = 0; c < 8; ++c)
+                    out[i][c] = in[i][c] / (c < 3 ? drag_[i] : turning_drag_[i]);
+                continue;
+            }
+            const Eigen::Map<const Block> block(blocks_[i].data());
+            Eigen::Map<Eigen::Matrix<double, 6, 1>>(out[i].data()).noalias() =
+                block * Eigen::Map<const Eigen::Matrix<double, 6, 1>>(in[i].data());
+        }
+    };
+    // Who has no near pair moves with the flow; the step before may have been another.
+    for (std::size_t i = 0; i < count; ++i)
+        if (paired_[i] == 0)
+            motion_[i] = {};
+    apply(motion_, image_);
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t c = 0; c < 8; ++c)
+            residual_[i][c] = right_side_[i][c] - image_[i][c];
+    // Sizes in the norm of the preconditioner, which weighs stiff and free particles alike.
+    scale(right_side_, scaled_);
+    const double goal = residual_share * residual_share * dot(right_side_, scaled_);
+    if (goal == 0.0)
+        for (Motion& each : motion_)
+            each = {};
+    scale(residual_, scaled_);
+    double size = dot(residual_, scaled_);
+    direction_ = scaled_;
+    int iterations = 0;
+    while (size > goal && goal > 0.0) {
+        if (++iterations > most_iterations)
+            throw StepFailure(fmt::format("the velocities of the particles were not found within "
+                                          "{} iterations at t = {:.6g} s "
+                                          "(residual {:.2g} of the forces)",
+                                          most_iterations, time_,
+                                          std::sqrt(size / goal) * residual_share));
+        apply(direction_, image_);
+        const double along = size / dot(direction_, image_);
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t c = 0; c < 8; ++c) {
+                motion_[i][c] += along * direction_[i][c];
+                residual_[i][c] -= along * image_[i][c];
+            }
+        scale(residual_, scaled_);
+        const double before = size;
+        size = dot(residual_, scaled_);
+        const double keep = size / before;
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t c = 0; c < 8; ++c)
+                direction_[i][c] = scaled_[i][c] + keep * direction_[i][c];
+    }
+    counts_.solver_iterations += iterations;
+}
+
+StressSample OverdampedMotion::move(double step, double rate) {
+    particles::Virial film{}, contact{}, colloid{};
+    fastest_closing_ = 0.0;
+    for (const NearPair& c : pairs_) {
+        const Motion& a = motion_[static_cast<std::size_t>(c.first)];
+        const Motion& b = motion_[static_cast<std::size_t>(c.second)];
+        const double half = 0.5 * rate * c.distance;
+        const double ux = b[0] - a[0] + half * c.ny;
+        const double uy = b[1] - a[1] + half * c.nx;
+        const double uz = b[2] - a[2];
+        const double along = ux * c.nx + uy * c.ny + uz * c.nz;
+        const double lx = c.lever_first * a[3] + c.lever_second * b[3];
+        const double ly = c.lever_first * a[4] + c.lever_second * b[4];
+        const double lz = c.lever_first * a[5] + c.lever_second * b[5];
+        const double sx = ux - along * c.nx - (ly * c.nz - lz * c.ny);
+        const double sy = uy - along * c.ny - (lz * c.nx - lx * c.nz);
+        const double sz = uz - along * c.nz - (lx * c.ny - ly * c.nx);
+        const double rx = (b[4] - a[4]) * c.nz - (b[5] - a[5]) * c.ny;
+        const double ry = (b[5] - a[5]) * c.nx - (b[3] - a[3]) * c.nz;
+        const double rz = (b[3] - a[3]) * c.ny - (b[4] - a[4]) * c.nx;
+        const double r[3] = {c.distance * c.nx, c.distance * c.ny, c.distance * c.nz};
+        const auto add = [&](particles::Virial& virial, double fx, double fy, double fz) {
+            const double f[3] = {fx, fy, fz};
+            for (std::size_t k = 0; k < 3; ++k)
+                for (std::size_t m = 0; m < 3; ++m)
+                    virial[3 * k + m] += r[k] * f[m];
+        };
+        const double film_normal = -c.film_squeeze * along;
+        add(film, film_normal * c.nx - c.film_shear * sx - c.mixed * rx,
+            film_normal * c.ny - c.film_shear * sy - c.mixed * ry,
+            film_normal * c.nz - c.film_shear * sz - c.mixed * rz);
+        const double colloid_normal = c.push - c.contact_push - step * c.colloid_stiffness * along;
+        add(colloid, colloid_normal * c.nx, colloid_normal * c.ny, colloid_normal * c.nz);
+        if (c.colloid_stiffness > 0.0)
+            fastest_closing_ = std::max(fastest_closing_, std::abs(along));
+        if (c.touches) {
+            const double normal = c.contact_push - step * c.stiffness * along;
+            const double spring = step * c.tangential_stiffness;
+            const double tx = c.tx - spring * sx;
+            const double ty = c.ty - spring * sy;
+            const double tz = c.tz - spring * sz;
+            add(contact, normal * c.nx + tx, normal * c.ny + ty, normal * c.nz + tz);
+            if (contact_->friction > 0.0) {
+                const auto k = static_cast<std::size_t>(c.listed);
+                const double stiffness = contact_->tangential_stiffness;
+                list_.spring_x[k] = step * sx - c.tx / stiffness;
+                list_.spring_y[k] = step * sy - c.ty / stiffness;
+                list_.spring_z[k] = step * sz - c.tz / stiffness;
+            }
+        } else if (contact_ && contact_->friction > 0.0) {
+            const auto k = static_cast<std::size_t>(c.listed);
+            list_.spring_x[k] = list_.spring_y[k] = list_.spring_z[k] = 0.0;
+        }
+    }
+    double fastest_squared = 0.0;
+    for (std::size_t i = 0; i < particles_.size(); ++i) {
+        const Motion& v = motion_[i];
+        fastest_squared = std::max(fastest_squared, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        particles_.vx[i] = rate * particles_.y[i] + v[0];
+        particles_.vy[i] = v[1];
+        particles_.vz[i] = v[2];
+        particles_.wx[i] = v[3] / films_.length_unit;
+        particles_.wy[i] = v[4] / films_.length_unit;
+        particles_.wz[i] = v[5] / films_.length_unit - 0.5 * rate;
+        // The mean flow is integrated with the height in the middle of the step.
+        particles_.x[i] += step * (rate * (particles_.y[i] + 0.5 * step * v[1]) + v[0]);
+        particles_.y[i] += step * v[1];
+        particles_.z[i] += step * v[2];
+    }
+    fastest_ = std::sqrt(fastest_squared);
+
+    const double per_volume = 1.0 / box_.volume();
+    const auto shear = [&](const particles::Virial& v) {
+        return -0.5 * (v[1] + v[3]) * per_volume;
+    };
+    StressSample s;
+    s.time = time_ + 0.5 * step;
+    s.duration = step;
+    s.shear_rate = rate;
+    s.bulk.fluid = input_.viscosity * rate;
+    s.bulk.hydrodynamic = 2.5 * particles_.total_volume() * per_volume * s.bulk.fluid + shear(film);
+    s.bulk.contact = shear(contact);
+    s.bulk.colloid = shear(colloid);
+    const auto diagonal = [&](std::size_t k) {
+        return -(film[k] + contact[k] + colloid[k]) * per_volume;
+    };
+    s.first_normal_difference = diagonal(0) - diagonal(4);
+    s.second_normal_difference = diagonal(4) - diagonal(8);
+    s.particle_pressure = -(diagonal(0) + diagonal(4) + diagonal(8)) / 3.0;
+    s.contact_number =
+        2.0 * static_cast<double>(sums_.contacts) / static_cast<double>(particles_.size());
+    s.wall = s.bulk;
+    return s;
+}
+
+void OverdampedMotion::save(Checkpoint& into) const {
+    put_particles(into, particles_, box_, list_, counts_);
+    std::vector<double> velocities;
+    for (const Motion& each : motion_)
+        velocities.insert(velocities.end(), each.begin(), each.end());
+    into.put("velocities", velocities);
+    into.put("motion", std::vector<double>{time_, step_, fastest_, fastest_closing_});
+}
+
+void OverdampedMotion::restore(const Checkpoint& from) {
+    get_particles(from, particles_, box_, list_, counts_);
+    const std::vector<double>& velocities = from.column("velocities");
+    for (std::size_t i = 0; i < motion_.size(); ++i)
+        for (std::size_t c = 0; c < 8; ++c)
+            motion_[i][c] = velocities.at(8 * i + c);
+    const std::vector<double>& motion = from.column("motion");
+    time_ = motion.at(0);
+    step_ = motion.at(1);
+    fastest_ = motion.at(2);
+    fastest_closing_ = motion.at(3);
+}
+
+StressSample OverdampedMotion::advance(const WallSpeed& speed, double until) {
+    const double start_rate = speed(time_ + 1e-12 * (until - time_)) / box_.length_y;
+    double step = choose_step(start_rate);
+    const double steps = std::ceil((until - time_) / step * (1.0 - 1e-9));
+    const bool ends = steps < 1.5;
+    if (steps < 2.5)
+        step = (until - time_) / std::max(steps, 1.0);
+    const double rate = 0.5 * (start_rate + speed(std::min(time_ + step, until)) / box_.length_y);
+    box_.set_shear_rate(rate);
+    step_ = step;
+    sums_ = gather_near_pairs(particles_, box_, list_, films_, contact_, colloid_, step, pairs_);
+    const double least = *std::min_element(particles_.radius.begin(), particles_.radius.end());
+    if (sums_.largest_overlap > deepest_share * least)
+        throw StepFailure(fmt::format(
+            "particles {} and {} overlap by {:.3g} m at t = {:.6g} s, {:.2g} of the smallest "
+            "radius: "
+            "the contact is too soft for the forces on it (particles.contact.stiffness)",
+            sums_.deepest_first, sums_.deepest_second, sums_.largest_overlap, time_,
+            sums_.largest_overlap / least));
+    set_right_side(rate);
+    precondition();
+    solve();
+    const StressSample result = move(step, rate);
+    box_.advance(step);
+    time_ = ends ? until : time_ + step;
+    ++counts_.steps;
+    counts_.shortest_step = counts_.steps == 1 ? step : std::min(counts_.shortest_step, step);
+    counts_.longest_step = std::max(counts_.longest_step, step);
+    if (list_.is_stale_after(fastest_ * step, rate * step)) {
+        // The warm start follows the particles into their new order.
+        particles::Column columns[6];
+        std::vector<particles::Column*> companions;
+        for (std::size_t c = 0; c < 6; ++c) {
+            columns[c].resize(particles_.size());
+            for (std::size_t i = 0; i < particles_.size(); ++i)
+                columns[c][i] = motion_[i][c];
+            companions.push_back(&columns[c]);
+        }
+        list_.rebuild(particles_, box_, companions);
+        for (std::size_t c = 0; c < 6; ++c)
+            for (std::size_t i = 0; i < particles_.size(); ++i)
+                motion_[i][c] = columns[c][i];
+        ++counts_.rebuilds;
+    }
+    return result;
+}
+
+} // namespace searle::solvers::suspension

@@ -1,0 +1,128 @@
+#include "app/checkpoint_file.hpp"
+#include "rheometry/rheogram_csv.hpp"
+#include "tests/app/running.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+
+// Suspensions from the command line.
+
+namespace {
+
+using searle::app::read_checkpoint;
+using searle::app::write_checkpoint;
+using searle::app::testing::Outcome;
+using searle::app::testing::searle;
+using searle::app::testing::TemporaryFolder;
+using searle::app::testing::text_of;
+using searle::app::testing::write_text;
+
+const std::string small_case = R"(title = "A few spheres"
+[geometry]
+type = "box"
+gap = "15 um"
+length = "15 um"
+width = "15 um"
+[fluid]
+model = "newtonian"
+viscosity = "1.0016 mPa.s"
+density = "998.2 kg/m^3"
+[protocol]
+type = "steps"
+shear_rates = ["100 1/s", "200 1/s"]
+hold_strain = 0.5
+[solver]
+accuracy = "1 %"
+[particles]
+diameter = "1.5 um"
+density = "5700 kg/m^3"
+volume_fraction = 0.1
+contact = { stiffness = "1e-2 N/m" }
+hydrodynamics = "stresslet"
+)";
+
+TEST(SuspensionRun, gives_the_parts_of_the_stress_and_repeats_byte_for_byte) {
+    const TemporaryFolder folder;
+    write_text(folder / "case.toml", small_case);
+    const Outcome one = searle({"run", "case.toml", "-o", "one"}, folder.path());
+    ASSERT_EQ(one.exit_code, 0) << one.err;
+    const Outcome two = searle({"run", "one/case.toml", "-o", "two"}, folder.path());
+    ASSERT_EQ(two.exit_code, 0) << two.err;
+    EXPECT_EQ(text_of(folder / "one/rheogram.csv"), text_of(folder / "two/rheogram.csv"));
+    const std::string csv = text_of(folder / "one/rheogram.csv");
+    EXPECT_TRUE(csv.starts_with("time_s,wall_speed_m_s,wall_force_N,shear_rate_1_s,shear_stress_Pa,"
+                                "viscosity_Pa_s,stress_error_Pa,regime,"));
+    EXPECT_NE(csv.find(",fluid_stress_Pa,hydrodynamic_stress_Pa,contact_stress_Pa,dlvo_stress_Pa,"
+                       "brownian_stress_Pa,statistical_error_Pa,"),
+              std::string::npos);
+    const auto rheogram =
+        searle::rheometry::read_rheogram_csv(folder / "one/rheogram.csv").rheogram;
+    ASSERT_EQ(rheogram.points.size(), 2U);
+    for (const auto& point : rheogram.points) {
+        ASSERT_TRUE(point.suspension.has_value());
+        EXPECT_NEAR(point.suspension->total() / point.shear_stress, 1.0, 1e-12);
+        // 2.5 phi and some contact; never below the fluid's own stress.
+        EXPECT_GT(point.viscosity, 1.15 * 1.0016e-3);
+        EXPECT_LT(point.viscosity, 2.0 * 1.0016e-3);
+        EXPECT_GT(point.suspension->statistical_error, 0.0);
+    }
+}
+
+TEST(SuspensionRun, refuses_what_does_not_fit) {
+    const TemporaryFolder folder;
+    write_text(folder / "case.toml", small_case);
+    const auto with = [&](const std::string& setting) {
+        return searle({"run", "case.toml", "-o", "out", "--set", setting}, folder.path());
+    };
+    const auto expect = [&](const std::string& setting, int code, const std::string& words) {
+        const Outcome outcome = with(setting);
+        EXPECT_EQ(outcome.exit_code, code) << setting << outcome.err;
+        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+        EXPECT_FALSE(std::filesystem::exists(folder / "out")) << setting;
+    };
+    expect("particles.volume_fraction=0.7", 2, "0.64");
+    expect("particles.diameter=\"20 um\"", 2, "does not fit");
+    expect("particles.diameter=\"6.8 um\"", 2, "two images");
+    expect("geometry.gap=\"1 m\"", 2, "more than the");
+    // Spheres without stiffness to speak of are pressed through each other.
+    expect("particles.contact.stiffness=\"1e-8 N/m\"", 3, "overlap");
+    expect("fluid={model=\"power-law\", consistency=\"1 Pa.s^n\", flow_index=0.5, "
+           "density=\"998 kg/m^3\"}",
+           4, "Newtonian");
+}
+
+TEST(CheckpointFile, comes_back_bit_for_bit_and_is_refused_to_others) {
+    const TemporaryFolder folder;
+    const auto file = folder / "run.checkpoint.h5";
+    EXPECT_FALSE(read_checkpoint(file, "a").has_value());
+    searle::solvers::suspension::Checkpoint checkpoint;
+    const std::vector<double> values{1.0 / 3.0, -0.0, 5e-324, std::nan(""), 1e300};
+    checkpoint.put("values", values);
+    checkpoint.put("none", std::vector<double>{});
+    write_checkpoint(file, checkpoint, "a");
+    const auto back = read_checkpoint(file, "a");
+    ASSERT_TRUE(back.has_value());
+    ASSERT_EQ(back->column("values").size(), values.size());
+    EXPECT_EQ(
+        std::memcmp(back->column("values").data(), values.data(), values.size() * sizeof(double)),
+        0);
+    EXPECT_TRUE(back->column("none").empty());
+    EXPECT_THROW(static_cast<void>(read_checkpoint(file, "b")), searle::app::CheckpointError);
+    std::ofstream(file, std::ios::binary) << "no HDF5";
+    EXPECT_THROW(static_cast<void>(read_checkpoint(file, "a")), searle::app::CheckpointError);
+    EXPECT_EQ(searle::app::testing::names_in(folder.path()), "run.checkpoint.h5");
+}
+
+TEST(CheckpointFile, of_another_case_stops_the_run_with_a_message) {
+    const TemporaryFolder folder;
+    write_text(folder / "case.toml", small_case);
+    write_checkpoint(folder / "out.checkpoint.h5", {}, "another");
+    const Outcome refused = searle({"run", "case.toml", "-o", "out"}, folder.path());
+    EXPECT_EQ(refused.exit_code, 2) << refused.err;
+    EXPECT_NE(refused.err.find("another case or version"), std::string::npos) << refused.err;
+    const Outcome anew = searle({"run", "case.toml", "-o", "out", "--force"}, folder.path());
+    EXPECT_EQ(anew.exit_code, 0) << anew.err;
+}
+
+} // namespace
