@@ -60,15 +60,28 @@ void FlowStepper::begin(const LinearDrive& drive) {
     drive_ = drive;
     time_ = drive.start_time;
     time_before_ = time_;
+    const NoViscosity inviscid;
+    const bool has_mass =
+        system_.factorise(rest(system_.space()), {inviscid, material_.reynolds}, 1.0);
+    // A jump of the rotor moves no fluid at once: the tested momentum of the fluid stays, which
+    // nodes that stay would not give, for the functions of the rotor's nodes reach into the fluid.
+    FlowState jump = state_;
+    turn_rotor(jump, drive.speed);
+    jump.velocity -= state_.velocity;
     turn_rotor(state_, drive.speed);
+    FlowResidual kick{.momentum = system_.inertia(jump.velocity, material_.reynolds),
+                      .continuity =
+                          Eigen::MatrixXd::Zero(state_.pressure.rows(), state_.pressure.cols())};
+    if (has_mass) {
+        state_.velocity += system_.newton_change(kick).velocity;
+    }
     // Rate of change and pressure that momentum and continuity give for this velocity.
     FlowState rate = rest(system_.space());
     turn_rotor(rate, drive.acceleration);
     FlowResidual residual = system_.residual(state_, material_);
     residual.momentum += system_.inertia(rate.velocity, material_.reynolds);
     residual.continuity.setZero();
-    const NoViscosity inviscid;
-    if (system_.factorise(rest(system_.space()), {inviscid, material_.reynolds}, 1.0)) {
+    if (has_mass) {
         const FlowState change = system_.newton_change(residual);
         rate_ = rate.velocity + change.velocity;
         state_.pressure += change.pressure;

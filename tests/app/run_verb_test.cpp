@@ -129,7 +129,7 @@ TEST(RunVerb, quiet_prints_nothing) {
 TEST(RunVerb, set_changes_the_case) {
     const TemporaryFolder folder;
     ASSERT_EQ(searle({"run", water, "--set", "protocol.points=7", "--set",
-                      "geometry.cup_radius=16 mm", "-o", "out"},
+                      "geometry.cup_radius=16 mm", "--set", "solver.model=radial", "-o", "out"},
                      folder.path())
                   .exit_code,
               0);

@@ -176,5 +176,25 @@ TEST(TransientSecondaryFlow, slow_ramp_is_the_ramp_of_swirl_alone) {
     }
 }
 
+/// A jump up, a jump down and a start from a speed that is not zero, as slow as above.
+TEST(TransientSecondaryFlow, slow_jumps_are_those_of_swirl_alone) {
+    const geometry::DinBob bob{0.014, 0.0152};
+    rheometry::SpeedHistory history;
+    history.initial_speed = 5e-3;
+    history.pieces = {{0.0, 1.0, 1e-2, 1e-2}, {1.0, 2.0, 4e-3, 1e-2}};
+    history.row_times = {0.05, 0.3, 1.0, 1.05, 2.0};
+    const double viscosity = 1.0016e-3;
+    const TransientTorque found =
+        transient_secondary_flow(bob, flow::Newtonian{viscosity}, 998.2, history, 5e-3);
+    const axisymmetric::TransientSwirl swirl =
+        axisymmetric::transient_swirl(bob, viscosity, 998.2, history, 1e-5);
+    EXPECT_TRUE(found.reached);
+    ASSERT_EQ(found.torque.size(), 5U);
+    for (std::size_t k = 0; k < 5; ++k) {
+        EXPECT_LE(std::abs(found.torque[k] - swirl.torque[k]), found.error[k] + swirl.error[k])
+            << k;
+    }
+}
+
 } // namespace
 } // namespace searle::solvers::meridional

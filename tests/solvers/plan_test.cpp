@@ -226,10 +226,34 @@ TEST(Plan, engines_and_models_that_are_not_here_are_refused_with_a_way_out) {
     EXPECT_FALSE(make_plan(scene).can_be_solved);
     EXPECT_NE(make_plan(scene).model_reason.find("native"), std::string::npos);
     scene.solver.engine = Engine::native;
-    for (const Model model : {Model::axisymmetric, Model::three_dimensional}) {
-        scene.solver.model = model;
-        EXPECT_FALSE(make_plan(scene).can_be_solved);
-        EXPECT_NE(make_plan(scene).model_reason.find("auto"), std::string::npos);
+    scene.solver.model = Model::three_dimensional;
+    EXPECT_FALSE(make_plan(scene).can_be_solved);
+    EXPECT_NE(make_plan(scene).model_reason.find("auto"), std::string::npos);
+    scene.instrument = geometry::Box{0.001, 0.02, 0.02};
+    scene.solver.model = Model::axisymmetric;
+    EXPECT_FALSE(make_plan(scene).can_be_solved);
+    EXPECT_NE(make_plan(scene).model_reason.find("auto"), std::string::npos);
+}
+
+TEST(Plan, axisymmetric_flow_of_an_endless_gap_is_radial_below_the_onset_and_has_vortices_above) {
+    Scene scene = water_ramp();
+    scene.solver.model = Model::axisymmetric;
+    const Plan below = make_plan(scene);
+    EXPECT_TRUE(below.can_be_solved);
+    EXPECT_EQ(below.model, "radial transient");
+    EXPECT_FALSE(below.vortices);
+    EXPECT_NE(below.model_reason.find("onset"), std::string::npos);
+    scene.instrument = geometry::ConcentricCylinders{0.014, 0.016, 0.042};
+    const Plan above = make_plan(scene);
+    EXPECT_EQ(above.model, "axisymmetric");
+    EXPECT_TRUE(above.vortices);
+    EXPECT_TRUE(item(above, "Taylor vortices").solved);
+    for (const auto& leave_out :
+         {std::pair{Model::radial, Switch::automatic}, std::pair{Model::automatic, Switch::off}}) {
+        scene.solver.model = leave_out.first;
+        scene.solver.secondary_flow = leave_out.second;
+        EXPECT_FALSE(make_plan(scene).vortices);
+        EXPECT_TRUE(warns_of(make_plan(scene), "laminar torque"));
     }
 }
 
