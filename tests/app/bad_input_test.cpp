@@ -151,9 +151,7 @@ TEST_F(BadInput, engines_and_models_that_are_not_here) {
     const std::vector<std::vector<std::string>> asks{
         {"run", din, "--set", "solver.model=3d"},
         {"run", water, "--set", "solver.engine=openfoam"},
-        {"run", water, "--set", "solver.model=3d"},
-        {"run", std::string(SEARLE_SOURCE_DIR) + "/cases/box-water.toml", "--set",
-         "solver.model=axisymmetric"}};
+        {"run", water, "--set", "solver.model=3d"}};
     for (const auto& words : asks) {
         const Outcome outcome = searle(words, folder.path());
         EXPECT_EQ(outcome.exit_code, 4) << words.back() << outcome.err;
