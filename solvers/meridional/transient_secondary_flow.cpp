@@ -28,6 +28,8 @@ constexpr double first_tolerance = 0.3;
 constexpr double tolerance_fall = 0.3;
 /// Of the corner that a power law has at rest, over the rate at the wall at the fastest speed.
 constexpr double rounding = 1e-5;
+/// Just after a jump the coarser of two levels may err in the same direction as the finer one.
+constexpr double safety = 2.0;
 /// At least this share of a row's last change counts as its error.
 constexpr double least_share = 0.25;
 constexpr double creeping_tolerance = 1e-10; ///< of the energy
@@ -168,7 +170,7 @@ TransientTorque transient_secondary_flow(const geometry::DinBob& bob,
                     k < change_before.size() && change_before[k] > 0.0
                         ? std::clamp(2.0 * change[k] / change_before[k], least_share, 1.0)
                         : 1.0;
-                result.error[k] = share * change[k] + std::abs((correction - 1.0) * torque[k]);
+                result.error[k] = safety * share * change[k] + std::abs((correction - 1.0) * torque[k]);
                 const double against = std::max(std::abs(result.torque[k]), least_scale * largest);
                 worst = std::max(worst, against > 0.0 ? result.error[k] / against : 0.0);
             }
