@@ -5,6 +5,7 @@
 #include "solvers/axisymmetric/swirl_fields.hpp"
 #include "solvers/axisymmetric/swirl_level.hpp"
 #include "solvers/axisymmetric/swirl_response.hpp"
+#include "solvers/row_errors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -210,17 +211,7 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
         add_end_flow(plan, rows);
     }
 
-    double largest = 0.0;
-    for (const rheometry::TorqueRow& row : rows) {
-        largest = std::max(largest, std::abs(row.torque));
-    }
-    for (const rheometry::TorqueRow& row : rows) {
-        const double scale = std::max(std::abs(row.torque), 1e-3 * largest);
-        if (scale > 0.0) {
-            solution.worst_relative_error =
-                std::max(solution.worst_relative_error, row.torque_error / scale);
-        }
-    }
+    solution.worst_relative_error = worst_relative_error(rows);
     solution.reached = !solution.interrupted && solution.worst_relative_error <= accuracy;
     return report;
 }

@@ -4,6 +4,7 @@
 #include "solvers/axisymmetric/section_shape.hpp"
 #include "solvers/meridional/inertia_factor_curve.hpp"
 #include "solvers/meridional/transient_secondary_flow.hpp"
+#include "solvers/row_errors.hpp"
 
 #include <fmt/format.h>
 
@@ -31,22 +32,6 @@ geometry::DinBob bob_of(const Scene& scene) {
 
 /// Stability is asked for where secondary flow carries at least this share of the torque.
 constexpr double share_worth_asking = 0.03;
-
-void judge(radial::RadialReport& solution, double accuracy) {
-    double largest = 0.0;
-    for (const rheometry::TorqueRow& row : solution.history.rows) {
-        largest = std::max(largest, std::abs(row.torque));
-    }
-    solution.worst_relative_error = 0.0;
-    for (const rheometry::TorqueRow& row : solution.history.rows) {
-        const double scale = std::max(std::abs(row.torque), 1e-3 * largest);
-        if (scale > 0.0) {
-            solution.worst_relative_error =
-                std::max(solution.worst_relative_error, row.torque_error / scale);
-        }
-    }
-    solution.reached = solution.worst_relative_error <= accuracy;
-}
 
 /// Says whether the steady flow at the fastest row would persist.
 void note_stability(const Plan& plan, InertiaFactorCurve& curve, radial::RadialReport& solution) {
@@ -196,7 +181,8 @@ AxisymmetricReport solve_bob(const Scene& scene, const Plan& plan, const Progres
     if (in_time) {
         run_in_time(scene, *history, report, progress);
     } else {
-        judge(report.solution, scene.solver.accuracy);
+        report.solution.worst_relative_error = worst_relative_error(report.solution.history.rows);
+        report.solution.reached = report.solution.worst_relative_error <= scene.solver.accuracy;
     }
     return report;
 }

@@ -170,7 +170,8 @@ TransientTorque transient_secondary_flow(const geometry::DinBob& bob,
                     k < change_before.size() && change_before[k] > 0.0
                         ? std::clamp(2.0 * change[k] / change_before[k], least_share, 1.0)
                         : 1.0;
-                result.error[k] = safety * share * change[k] + std::abs((correction - 1.0) * torque[k]);
+                result.error[k] =
+                    safety * share * change[k] + std::abs((correction - 1.0) * torque[k]);
                 const double against = std::max(std::abs(result.torque[k]), least_scale * largest);
                 worst = std::max(worst, against > 0.0 ? result.error[k] / against : 0.0);
             }

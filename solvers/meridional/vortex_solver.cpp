@@ -4,6 +4,7 @@
 #include "solvers/meridional/steady_vortices.hpp"
 #include "solvers/meridional/vortex_run.hpp"
 #include "solvers/radial/transient_levels.hpp"
+#include "solvers/row_errors.hpp"
 #include "solvers/stability/taylor_threshold.hpp"
 
 #include <fmt/format.h>
@@ -138,22 +139,6 @@ void doubt_waves(const Scene& scene, const Plan& plan, const radial::RadialRepor
     }
 }
 
-void judge(radial::RadialReport& report, double accuracy) {
-    double largest = 0.0;
-    for (const rheometry::TorqueRow& row : report.history.rows) {
-        largest = std::max(largest, std::abs(row.torque));
-    }
-    report.worst_relative_error = 0.0;
-    for (const rheometry::TorqueRow& row : report.history.rows) {
-        const double scale = std::max(std::abs(row.torque), 1e-3 * largest);
-        if (scale > 0.0) {
-            report.worst_relative_error =
-                std::max(report.worst_relative_error, row.torque_error / scale);
-        }
-    }
-    report.reached = report.worst_relative_error <= accuracy;
-}
-
 } // namespace
 
 radial::RadialReport solve_with_vortices(const Scene& scene, const Plan& plan,
@@ -188,7 +173,8 @@ radial::RadialReport solve_with_vortices(const Scene& scene, const Plan& plan,
         return report;
     }
     doubt_waves(scene, plan, laminar, report);
-    judge(report, scene.solver.accuracy);
+    report.worst_relative_error = worst_relative_error(report.history.rows);
+    report.reached = report.worst_relative_error <= scene.solver.accuracy;
     return report;
 }
 
