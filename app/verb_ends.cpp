@@ -8,10 +8,11 @@
 #include "app/progress_line.hpp"
 #include "app/result_folder.hpp"
 #include "app/solved_case.hpp"
-#include "solvers/axisymmetric/end_effect_table.hpp"
+#include "solvers/meridional/bob_solver.hpp"
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
 #include <string_view>
 
@@ -23,13 +24,16 @@ using solvers::axisymmetric::EndEffectTable;
 
 std::string as_text(const EndEffectTable& table, const Case& source) {
     std::string text = fmt::format(
-        "End factor c_L of the creeping flow: {}, {}\n\n{:>14} {:>12} {:>12} {:>9}   {}\n",
+        "End factor c_L: {}, {}\n\n{:>14} {:>12} {:>12} {:>9}   {:<21} {:>12} {:>9}\n",
         geometry::name_of(source.scene.instrument), laws::flow::name_of(source.scene.fluid.law),
-        "speed, rad/s", "rate, 1/s", "c_L", "+-", "energy bounds");
-    for (const EndEffect& row : table.rows)
-        text +=
-            fmt::format("{:>14.6g} {:>12.6g} {:>12.6f} {:>9.1e}   {:.6f} ... {:.6f}\n", row.speed,
-                        row.shear_rate, row.end_factor, row.error, row.lower, row.upper);
+        "speed, rad/s", "rate, 1/s", "creeping", "+-", "energy bounds", "with inertia", "+-");
+    for (const EndEffect& row : table.rows) {
+        text += fmt::format("{:>14.6g} {:>12.6g} {:>12.6f} {:>9.1e}   {:.6f} ... {:.6f}", row.speed,
+                            row.shear_rate, row.end_factor, row.error, row.lower, row.upper);
+        text += std::isfinite(row.with_inertia)
+                    ? fmt::format(" {:>12.6f} {:>9.1e}\n", row.with_inertia, row.with_inertia_error)
+                    : fmt::format(" {:>12} {:>9}\n", "-", "-");
+    }
     return text;
 }
 
@@ -62,12 +66,12 @@ int ends(const EndsOptions& options) {
     {
         const InterruptWatch watch;
         ProgressLine line(options.quiet);
-        table = solvers::axisymmetric::end_effect_table(
-            source.scene, speeds, [&](double fraction, std::string_view stage) {
-                if (watch.requested())
-                    throw solvers::Interrupted();
-                line.show(fraction, stage);
-            });
+        table = solvers::meridional::end_effects(source.scene, speeds,
+                                                 [&](double fraction, std::string_view stage) {
+                                                     if (watch.requested())
+                                                         throw solvers::Interrupted();
+                                                     line.show(fraction, stage);
+                                                 });
     }
     const std::string text = options.json  ? ends_as_json(table, source)
                              : options.csv ? rheometry::end_effect_csv(table.rows)

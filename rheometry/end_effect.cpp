@@ -14,12 +14,15 @@ struct Column {
     std::string_view name;
     double EndEffect::*value;
 };
-constexpr std::array columns{Column{"angular_velocity_rad_s", &EndEffect::speed},
-                             Column{"shear_rate_1_s", &EndEffect::shear_rate},
-                             Column{"end_factor", &EndEffect::end_factor},
-                             Column{"end_factor_error", &EndEffect::error},
-                             Column{"end_factor_lower_bound", &EndEffect::lower},
-                             Column{"end_factor_upper_bound", &EndEffect::upper}};
+constexpr std::array columns{
+    Column{"angular_velocity_rad_s", &EndEffect::speed},
+    Column{"shear_rate_1_s", &EndEffect::shear_rate},
+    Column{"end_factor", &EndEffect::end_factor},
+    Column{"end_factor_error", &EndEffect::error},
+    Column{"end_factor_lower_bound", &EndEffect::lower},
+    Column{"end_factor_upper_bound", &EndEffect::upper},
+    Column{"end_factor_with_inertia", &EndEffect::with_inertia},
+    Column{"end_factor_with_inertia_error", &EndEffect::with_inertia_error}};
 
 } // namespace
 

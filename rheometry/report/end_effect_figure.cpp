@@ -26,6 +26,17 @@ Figure end_effect_figure(const ReportInput& input) {
         }
         return text;
     };
+    Series with_inertia;
+    with_inertia.name = RichText{"computed, with secondary flow"};
+    with_inertia.marker = Marker::circle;
+    with_inertia.colour = 2;
+    for (const EndEffect& row : input.ends) {
+        if (std::isfinite(row.with_inertia)) {
+            with_inertia.x.push_back(std::abs(row.shear_rate));
+            with_inertia.y.push_back(row.with_inertia);
+            with_inertia.error.push_back(row.with_inertia_error);
+        }
+    }
     const auto [low, high] = std::minmax_element(computed.x.begin(), computed.x.end());
     Series used;
     used.name = RichText{"used for the conversion"};
@@ -42,6 +53,9 @@ Figure end_effect_figure(const ReportInput& input) {
     plot.y.name.upright("End factor ").italic("c").subscript("L");
     plot.y.reach_for_zero = 0.0;
     plot.series.push_back(std::move(computed));
+    if (!with_inertia.x.empty()) {
+        plot.series.push_back(std::move(with_inertia));
+    }
     if (!input.conversion.end_factor_provisional) {
         plot.series.push_back(std::move(used));
     }
@@ -49,7 +63,8 @@ Figure end_effect_figure(const ReportInput& input) {
     builder.add(std::move(plot));
     return builder.finish(
         "End factor <i>c</i><sub>L</sub>: the torque of the whole bob over that of the same length "
-        "of an endless one, for this fluid without inertia and secondary flow. Numbers and energy "
+        "of an endless one, for this fluid in creeping flow and, where it was solved for, with the "
+        "steady secondary flow. Numbers and energy "
         "bounds: <code>end_factor.csv</code>.");
 }
 

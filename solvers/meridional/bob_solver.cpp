@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <string>
 
 namespace searle::solvers::meridional {
@@ -32,6 +33,11 @@ geometry::DinBob bob_of(const Scene& scene) {
 
 /// Stability is asked for where secondary flow carries at least this share of the torque.
 constexpr double share_worth_asking = 0.03;
+
+void set_inertia(rheometry::EndEffect& end, const InertiaFactor& found) {
+    end.with_inertia = end.end_factor * found.factor;
+    end.with_inertia_error = end.error * found.factor + found.relative_error * end.with_inertia;
+}
 
 /// Says whether the steady flow at the fastest row would persist.
 void note_stability(const Plan& plan, InertiaFactorCurve& curve, radial::RadialReport& solution) {
@@ -97,6 +103,9 @@ void apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& rep
                                        std::abs(rows[k].torque);
         }
     }
+    for (rheometry::EndEffect& end : report.ends) {
+        set_inertia(end, curve.at(end.speed));
+    }
     radial::RadialReport& solution = report.solution;
     solution.refinements = std::max(solution.refinements, curve.levels());
     solution.unknowns = std::max(solution.unknowns, curve.unknowns());
@@ -148,6 +157,34 @@ void run_in_time(const Scene& scene, const rheometry::SpeedHistory& history,
 }
 
 } // namespace
+
+axisymmetric::EndEffectTable end_effects(const Scene& scene, std::span<const double> speeds,
+                                         const ProgressSink& progress) {
+    axisymmetric::EndEffectTable table = axisymmetric::end_effect_table(scene, speeds, progress);
+    const auto shape = axisymmetric::section_shape(scene.instrument);
+    if (scene.solver.secondary_flow == Switch::off || shape->bob() == nullptr ||
+        table.interrupted) {
+        return table;
+    }
+    SteadySecondaryFlow flow(bob_of(scene), scene.fluid.law, scene.fluid.density,
+                             factor_share * scene.solver.accuracy);
+    try {
+        // By rising speed, each flow starts from the one before.
+        std::vector<std::size_t> order(table.rows.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::sort(order.begin(), order.end(), [&](std::size_t one, std::size_t other) {
+            return table.rows[one].speed < table.rows[other].speed;
+        });
+        for (const std::size_t row : order) {
+            const InertiaFactor found = flow.at(table.rows[row].speed, progress);
+            set_inertia(table.rows[row], found);
+            table.reached = table.reached && found.reached;
+        }
+    } catch (const Interrupted&) {
+        table.interrupted = true;
+    }
+    return table;
+}
 
 AxisymmetricReport solve_bob(const Scene& scene, const Plan& plan, const ProgressSink& progress) {
     AxisymmetricReport report = axisymmetric::solve_axisymmetric(scene, plan, progress);

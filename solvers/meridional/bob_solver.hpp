@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solvers/axisymmetric/axisymmetric_solver.hpp"
+#include "solvers/axisymmetric/end_effect_table.hpp"
 
 namespace searle::solvers::meridional {
 
@@ -11,5 +12,12 @@ namespace searle::solvers::meridional {
 /// @param scene  whose instrument has ends; around a double gap swirl alone
 [[nodiscard]] axisymmetric::AxisymmetricReport solve_bob(const Scene& scene, const Plan& plan,
                                                          const ProgressSink& progress);
+
+/// End factors of creeping flow and, around a bob unless secondary_flow = false, with the steady
+/// secondary flow.
+/// @param scene   whose instrument has ends
+/// @param speeds  rad/s, > 0
+[[nodiscard]] axisymmetric::EndEffectTable
+end_effects(const Scene& scene, std::span<const double> speeds, const ProgressSink& progress);
 
 } // namespace searle::solvers::meridional

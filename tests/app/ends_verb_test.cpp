@@ -1,6 +1,7 @@
 #include "rheometry/end_effect.hpp"
 #include "tests/app/running.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace {
@@ -33,6 +34,28 @@ TEST(EndsVerb, water_has_the_newtonian_factor_at_every_speed) {
         EXPECT_LE(row.lower, row.end_factor);
         EXPECT_GE(row.upper, row.end_factor);
         EXPECT_LT(row.error, 1e-3 * row.end_factor);
+    }
+}
+
+/// Inertia adds Re^2 at first (tests/solvers/meridional_steady_test.cpp) and at 100 1/s far more
+/// than the standards' c_L = 1.10 allows for.
+TEST(EndsVerb, inertia_raises_the_factor_with_the_speed) {
+    const TemporaryFolder folder;
+    const auto table = [&](std::vector<std::string> further) {
+        std::vector<std::string> words{"ends",  water, "--rates", "0.3,3,30",
+                                       "--csv", "-o",  "ends.csv"};
+        words.insert(words.end(), further.begin(), further.end());
+        EXPECT_EQ(searle(words, folder.path()).exit_code, 0);
+        return searle::rheometry::read_end_effect_csv(folder / "ends.csv");
+    };
+    const auto rows = table({});
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_NEAR(rows[0].with_inertia, rows[0].end_factor, 1e-3);
+    EXPECT_GT(rows[1].with_inertia, rows[0].with_inertia);
+    EXPECT_GT(rows[2].with_inertia, 1.15);
+    EXPECT_LT(rows[2].with_inertia_error, 1e-3 * rows[2].with_inertia);
+    for (const EndEffect& row : table({"--set", "solver.secondary_flow=false"})) {
+        EXPECT_TRUE(std::isnan(row.with_inertia));
     }
 }
 
