@@ -176,8 +176,14 @@ Figure viscosity_figure(const ReportInput& input) {
                   relative_text(deviation.largest, 3) + " at " + std::string{rate_symbol} + " = " +
                   quantity_text(deviation.at_rate, "1/s", 4) + ".";
         const DeviationParts parts = deviation_parts(input);
-        const std::string inertia =
-            "the inertia of the fluid, <i>\u03c4</i>/<i>\u03c4</i><sub>steady</sub> \u2212 1";
+        const auto& points = input.rheogram.points;
+        const bool has_vortices =
+            std::any_of(points.begin(), points.end(), [](const RheogramPoint& point) {
+                return point.regime.find("taylor-vortices") != std::string::npos;
+            });
+        const std::string inertia = std::string{"the inertia of the fluid"} +
+                                    (has_vortices ? ", vortices included" : "") +
+                                    ", <i>\u03c4</i>/<i>\u03c4</i><sub>steady</sub> \u2212 1";
         const std::string convention =
             "the convention, which reads one rate and one stress from a gap that has many";
         if (parts.inertia && parts.convention) {
