@@ -49,6 +49,19 @@ Sampled sampled(const SwirlSolution& solution, Field field, const Eigen::VectorX
     return found;
 }
 
+/// Rate of shear of the flow in r and z alone, over the speed; slopes are sampled times r.
+double rate_in_plane(const Sampled& radial, const Sampled& axial, Index point, Index element,
+                     double radius) {
+    // On the axis u / r is the slope of u.
+    const double u_r = radial.r(point, element) / radius;
+    const double u_z = radial.z(point, element) / radius;
+    const double w_r = axial.r(point, element) / radius;
+    const double w_z = axial.z(point, element) / radius;
+    const double u_over_r = radial.value(point, element) / radius;
+    return std::sqrt(2.0 * (u_r * u_r + u_over_r * u_over_r + w_z * w_z) +
+                     (u_z + w_r) * (u_z + w_r));
+}
+
 void add_outline(fields::SectionFields& section, const SectionMesh& mesh,
                  const SectionElement& shape, std::uint32_t first, std::uint32_t columns) {
     const std::uint32_t last = columns - 1;
@@ -87,6 +100,18 @@ fields::SectionFields swirl_fields(const SwirlSolution& solution,
         curl = sampled(solution, Field::stress_function, *solution.stress_function, rule);
     }
 
+    const bool has_secondary = solution.radial != nullptr && solution.axial != nullptr;
+    Sampled radial;
+    Sampled axial;
+    Sampled stream;
+    if (has_secondary) {
+        radial = sampled(solution, Field::rotation, *solution.radial, rule);
+        axial = sampled(solution, Field::rotation, *solution.axial, rule);
+    }
+    if (solution.stream_function != nullptr) {
+        stream = sampled(solution, Field::rotation, *solution.stream_function, rule);
+    }
+
     fields::SectionFields section;
     section.speed = solution.speed;
     section.yield_stress = laws::flow::yield_stress(law);
@@ -100,6 +125,7 @@ fields::SectionFields swirl_fields(const SwirlSolution& solution,
     fields::NodalField swirl_stress{std::string{fields::name::swirl_stress}, "Pa", 3, {}};
     fields::NodalField viscosity{std::string{fields::name::viscosity}, "Pa.s", 1, {}};
     fields::NodalField yielded{std::string{fields::name::yielded}, "1", 1, {}};
+    fields::NodalField stream_values{std::string{fields::name::stream_function}, "m^3/s", 1, {}};
     const double direction = std::copysign(1.0, solution.speed);
     for (std::size_t e = 0; e < solution.mesh.elements.size(); ++e) {
         const SectionElement& shape = solution.mesh.elements[e];
@@ -116,6 +142,7 @@ fields::SectionFields swirl_fields(const SwirlSolution& solution,
                                             solution.length * (bottom + (top - bottom) * up)};
             });
         add_outline(section, solution.mesh, shape, first, static_cast<std::uint32_t>(columns));
+        const double nearest = shape.left + 0.5 * inset * (shape.right - shape.left);
         for (Index q = 0; q < Index{columns} * columns; ++q) {
             const auto element = static_cast<Index>(e);
             const double radius = section.points[first + static_cast<std::size_t>(q)].r;
@@ -123,10 +150,17 @@ fields::SectionFields swirl_fields(const SwirlSolution& solution,
             const double g_r = rotation.r(q, element);
             const double g_z = rotation.z(q, element);
             const double size = std::hypot(g_r, g_z);
-            const double rate = std::abs(solution.speed) * size;
+            const double speed = std::abs(solution.speed);
+            const double rate =
+                has_secondary
+                    ? speed * std::hypot(size,
+                                         rate_in_plane(radial, axial, q, element,
+                                                       std::max(radius / solution.length, nearest)))
+                    : speed * size;
             double stress = rate > 0.0 ? laws::flow::stress(law, rate) : 0.0;
-            double stress_r = size > 0.0 ? direction * stress * g_r / size : 0.0;
-            double stress_z = size > 0.0 ? direction * stress * g_z / size : 0.0;
+            // The swirl's share of the stress is its share of the rate.
+            double stress_r = rate > 0.0 ? direction * stress * speed * g_r / rate : 0.0;
+            double stress_z = rate > 0.0 ? direction * stress * speed * g_z / rate : 0.0;
             if (solution.stress_function != nullptr) {
                 // r^2 stress = (-d/dz, d/dr) psi.
                 stress_r = -direction * solution.stress_scale * curl.z(q, element);
@@ -134,7 +168,15 @@ fields::SectionFields swirl_fields(const SwirlSolution& solution,
                 stress = std::hypot(stress_r, stress_z);
             }
             const bool flows = section.yield_stress == 0.0 || rate > section.rigid_rate;
-            velocity.values.insert(velocity.values.end(), {0.0, radius * w, 0.0});
+            const double scale = has_secondary ? speed * solution.length : 0.0;
+            velocity.values.insert(velocity.values.end(),
+                                   {has_secondary ? scale * radial.value(q, element) : 0.0,
+                                    radius * w,
+                                    has_secondary ? scale * axial.value(q, element) : 0.0});
+            if (solution.stream_function != nullptr) {
+                stream_values.values.push_back(speed * std::pow(solution.length, 3) *
+                                               stream.value(q, element));
+            }
             angular.values.push_back(w);
             shear_rate.values.push_back(rate);
             shear_stress.values.push_back(stress);
@@ -148,6 +190,9 @@ fields::SectionFields swirl_fields(const SwirlSolution& solution,
     section.fields = {std::move(velocity),     std::move(angular),      std::move(shear_rate),
                       std::move(shear_stress), std::move(swirl_stress), std::move(viscosity),
                       std::move(yielded)};
+    if (solution.stream_function != nullptr) {
+        section.fields.push_back(std::move(stream_values));
+    }
     return section;
 }
 

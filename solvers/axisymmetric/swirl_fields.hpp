@@ -20,10 +20,14 @@ struct SwirlSolution {
     /// rates of the rotation.
     const Eigen::VectorXd* stress_function = nullptr;
     double stress_scale{}; ///< Pa
+    /// Flow in r and z at the nodes of the rotation; null: there is none.
+    const Eigen::VectorXd* radial = nullptr;          ///< over |speed| length
+    const Eigen::VectorXd* axial = nullptr;           ///< over |speed| length
+    const Eigen::VectorXd* stream_function = nullptr; ///< over |speed| length^3
 };
 
-/// Velocity, angular velocity, rate, stress, viscosity and the yielded flag of a swirl, without
-/// secondary flow, at points inside and on the outline of every element (names in
+/// Velocity, angular velocity, rate, stress, viscosity, the yielded flag and, with secondary flow,
+/// the stream function at points inside and on the outline of every element (names in
 /// section_fields.hpp). Row, time and speed of the result are left to the caller, as far as
 /// `solution` does not say them.
 [[nodiscard]] rheometry::fields::SectionFields swirl_fields(const SwirlSolution& solution,

@@ -2,8 +2,11 @@
 
 #include "rheometry/schedule.hpp"
 #include "solvers/axisymmetric/section_shape.hpp"
+#include "solvers/axisymmetric/swirl_fields.hpp"
 #include "solvers/meridional/inertia_factor_curve.hpp"
+#include "solvers/meridional/stream_function.hpp"
 #include "solvers/meridional/transient_secondary_flow.hpp"
+#include "solvers/radial/annular_gap.hpp"
 #include "solvers/row_errors.hpp"
 
 #include <fmt/format.h>
@@ -71,6 +74,42 @@ void note_stability(const Plan& plan, InertiaFactorCurve& curve, radial::RadialR
 }
 
 /// Multiplies the torques (not of rows that a transient run has filled) and the end factors.
+/// Replaces the fields of steady rows by those with the secondary flow.
+void add_secondary_fields(const Scene& scene, AxisymmetricReport& report,
+                          const ProgressSink& progress) {
+    const geometry::DinBob bob = bob_of(scene);
+    SteadySecondaryFlow flow(bob, scene.fluid.law, scene.fluid.density,
+                             factor_share * scene.solver.accuracy);
+    for (rheometry::fields::SectionFields& section : report.solution.fields) {
+        const double speed = std::abs(section.speed);
+        if (speed == 0.0 || flow.at(speed, progress).levels == 0) {
+            continue;
+        }
+        const FlowLevel& level = *flow.finest();
+        const Eigen::MatrixX3d& velocity = level.state().velocity;
+        const Eigen::VectorXd u = velocity.col(static_cast<Eigen::Index>(Component::radial));
+        const Eigen::VectorXd w = velocity.col(static_cast<Eigen::Index>(Component::axial));
+        const Eigen::VectorXd spin = velocity.col(static_cast<Eigen::Index>(Component::rotation));
+        const Eigen::VectorXd stream = stream_function(level.space(), level.state());
+        const double wall_rate =
+            radial::steady_gap_flow({bob.bob_radius, bob.cup_radius}, scene.fluid.law, speed)
+                .inner_wall_rate;
+        auto whole = axisymmetric::swirl_fields({.mesh = level.mesh(),
+                                                 .length = bob.bob_radius,
+                                                 .degree = level.space().degree(),
+                                                 .rotation = spin,
+                                                 .speed = section.speed,
+                                                 .rate_scale = wall_rate,
+                                                 .radial = &u,
+                                                 .axial = &w,
+                                                 .stream_function = &stream},
+                                                scene.fluid.law);
+        whole.row = section.row;
+        whole.time = section.time;
+        section = std::move(whole);
+    }
+}
+
 /// @param delay_share  of what secondary flow adds, for not following it in time
 void apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& report,
                    bool fills_torque, double delay_share, const ProgressSink& progress) {
@@ -105,6 +144,9 @@ void apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& rep
     }
     for (rheometry::EndEffect& end : report.ends) {
         set_inertia(end, curve.at(end.speed));
+    }
+    if (!report.solution.fields.empty()) {
+        add_secondary_fields(scene, report, progress);
     }
     radial::RadialReport& solution = report.solution;
     solution.refinements = std::max(solution.refinements, curve.levels());
@@ -191,10 +233,6 @@ AxisymmetricReport solve_bob(const Scene& scene, const Plan& plan, const Progres
     if (!plan.secondary_flow || report.solution.interrupted) {
         return report;
     }
-    if (!report.solution.fields.empty()) {
-        report.solution.notes.emplace_back(
-            "The fields and their pictures show the swirl without the secondary flow.");
-    }
     const rheometry::Conversion conversion =
         rheometry::conversion_for(scene.instrument, scene.conversion);
     const auto schedule = rheometry::schedule(scene.protocol, conversion);
@@ -214,6 +252,10 @@ AxisymmetricReport solve_bob(const Scene& scene, const Plan& plan, const Progres
         report.solution.interrupted = true;
         report.solution.reached = false;
         return report;
+    }
+    if (in_time && !report.solution.fields.empty()) {
+        report.solution.notes.emplace_back(
+            "The fields and their pictures show the swirl without the secondary flow.");
     }
     if (in_time) {
         run_in_time(scene, *history, report, progress);
