@@ -112,10 +112,13 @@ std::vector<InstrumentSeries> read_instrument_series(const FitVerbOptions& optio
                 tell(fmt::format("{}: left out: a start-up at one speed is no flow curve", name));
                 continue;
             }
+            const bool is_stepped =
+                std::holds_alternative<rheometry::Steps>(read.scene.protocol.program);
             all.push_back({.name = std::move(name),
                            .scene = read.scene,
                            .conversion = conversion,
-                           .times = std::move(step.time),
+                           // Speeds that jump and are held are no ramp through the rows.
+                           .times = is_stepped ? std::vector<double>{} : std::move(step.time),
                            .speeds = std::move(step.speed),
                            .torques = std::move(step.torque),
                            .lines = std::move(step.lines),

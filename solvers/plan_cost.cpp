@@ -72,7 +72,17 @@ Cost axisymmetric_cost(const Scene& scene, const Forecast& forecast, bool transi
             ? 1.0
             : std::min(most_solutions, static_cast<double>(forecast.rows.size()));
     const double inertia = newtonian && transient ? 2.0 * one : 0.0;
-    return {solutions * one + inertia, static_cast<long>((yields ? 5000.0 : 2000.0) * growth)};
+    // Secondary flow, as measured at 1e-3: a solution, a run in time.
+    const bool has_secondary =
+        std::any_of(forecast.facts.begin(), forecast.facts.end(), [&](const RowFacts& facts) {
+            return 12.0 * facts.end_flow_share > scene.solver.accuracy;
+        });
+    const double secondary =
+        !has_secondary || scene.solver.secondary_flow == Switch::off ? 0.0
+        : transient                                                  ? 6.0
+                    : 0.4 * std::min(most_solutions, static_cast<double>(forecast.rows.size()));
+    return {solutions * one + inertia + secondary,
+            static_cast<long>((yields ? 5000.0 : 2000.0) * growth)};
 }
 
 } // namespace searle::solvers

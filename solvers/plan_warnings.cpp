@@ -9,14 +9,16 @@
 namespace searle::solvers {
 namespace {
 
-std::string taylor_warning(const Forecast& forecast, bool are_solved) {
+std::string taylor_warning(const Forecast& forecast, bool are_solved, bool has_ends) {
     const std::size_t above =
         count_rows(forecast, [&](std::size_t i) { return forecast.rows[i].taylor_ratio > 1.0; });
     return fmt::format(
         "Taylor vortices at {}, from a shear rate of {:.4g} 1/s on: {}.",
         rows_of(above, forecast.rows.size()), forecast.taylor->onset_shear_rate.value_or(0.0),
         are_solved ? "their torque is in the result, not in the fluid's flow curve"
-                   : "the result has the laminar torque there, an instrument shows a larger one");
+        : has_ends
+            ? "the result is one of several axisymmetric flows there, not surely the instrument's"
+            : "the result has the laminar torque there, an instrument shows a larger one");
 }
 
 std::string partly_sheared_warning(const Forecast& forecast, std::size_t partly) {
@@ -61,7 +63,8 @@ std::vector<std::string> plan_warnings(const Scene& scene, const Forecast& forec
     std::vector<std::string> warnings;
     const double accuracy = scene.solver.accuracy;
     if (forecast.taylor && forecast.taylor->largest_ratio > 1.0) {
-        warnings.push_back(taylor_warning(forecast, vortices));
+        warnings.push_back(taylor_warning(forecast, vortices,
+                                          has_ends(scene) && scene.solver.model != Model::radial));
     }
     if (is_box(scene)) {
         // Lower bound of sustained turbulence in plane Couette flow, Re = U h / (4 nu) = 325

@@ -29,6 +29,9 @@ constexpr double factor_share = 0.5;
 /// what the steady secondary flow adds is claimed as error.
 constexpr double unsteady_share = 0.5;
 
+/// What vortices add to the torque of a narrow gap, over it, per Re / Re_c - 1 just past the onset.
+constexpr double torque_slope_past_onset = 2.0;
+
 /// The bob; that of a single gap with ends has a flat bottom.
 geometry::DinBob bob_of(const Scene& scene) {
     return *axisymmetric::section_shape(scene.instrument).value().bob();
@@ -36,6 +39,31 @@ geometry::DinBob bob_of(const Scene& scene) {
 
 /// Stability is asked for where secondary flow carries at least this share of the torque.
 constexpr double share_worth_asking = 0.03;
+
+/// Rows past the onset of Taylor vortices along the bob: one flow of several was solved for.
+void doubt_vortices(const Scene& scene, const Plan& plan, radial::RadialReport& solution) {
+    std::size_t count = 0;
+    std::vector<rheometry::TorqueRow>& rows = solution.history.rows;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const double beyond = plan.rows[k].taylor_ratio - 1.0;
+        if (beyond <= 0.0) {
+            continue;
+        }
+        ++count;
+        if (scene.solver.model == Model::automatic) {
+            rows[k].torque_error +=
+                std::min(1.0, torque_slope_past_onset * beyond) * std::abs(rows[k].torque);
+        }
+    }
+    if (count > 0) {
+        solution.notes.push_back(fmt::format(
+            "{} row{} past the onset of Taylor vortices along the rotor: the torque is that of one "
+            "of several axisymmetric flows{}.",
+            count, count == 1 ? " lies" : "s lie",
+            scene.solver.model == Model::automatic ? ", and what vortices may add is in its error"
+                                                   : ""));
+    }
+}
 
 void set_inertia(rheometry::EndEffect& end, const InertiaFactor& found) {
     end.with_inertia = end.end_factor * found.factor;
@@ -121,6 +149,18 @@ void apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& rep
     }
     InertiaFactorCurve curve(bob, scene.fluid.law, scene.fluid.density, speeds,
                              factor_share * scene.solver.accuracy, progress);
+    if (curve.interrupted()) {
+        std::size_t done = 0;
+        while (done < rows.size() && (rows[done].speed == 0.0 || curve.has(rows[done].speed))) {
+            ++done;
+        }
+        rows.resize(done);
+        report.end_factor.resize(done);
+        std::erase_if(report.ends,
+                      [&](const rheometry::EndEffect& end) { return !curve.has(end.speed); });
+        report.solution.fields.clear();
+        report.solution.interrupted = true;
+    }
     double largest = 1.0;
     double slowest_failure = 0.0;
     for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -146,7 +186,12 @@ void apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& rep
         set_inertia(end, curve.at(end.speed));
     }
     if (!report.solution.fields.empty()) {
-        add_secondary_fields(scene, report, progress);
+        try {
+            add_secondary_fields(scene, report, progress);
+        } catch (const Interrupted&) {
+            report.solution.fields.clear();
+            report.solution.interrupted = true;
+        }
     }
     radial::RadialReport& solution = report.solution;
     solution.refinements = std::max(solution.refinements, curve.levels());
@@ -166,7 +211,9 @@ void apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& rep
                         slowest_failure));
         return;
     }
-    note_stability(plan, curve, solution);
+    if (!curve.interrupted()) {
+        note_stability(plan, curve, solution);
+    }
 }
 
 /// Fills the rows from a run in time.
@@ -253,15 +300,25 @@ AxisymmetricReport solve_bob(const Scene& scene, const Plan& plan, const Progres
         report.solution.reached = false;
         return report;
     }
+    if (report.solution.interrupted) {
+        report.solution.reached = false;
+        return report;
+    }
     if (in_time && !report.solution.fields.empty()) {
         report.solution.notes.emplace_back(
             "The fields and their pictures show the swirl without the secondary flow.");
     }
     if (in_time) {
         run_in_time(scene, *history, report, progress);
-    } else {
-        report.solution.worst_relative_error = worst_relative_error(report.solution.history.rows);
-        report.solution.reached = report.solution.worst_relative_error <= scene.solver.accuracy;
+    }
+    doubt_vortices(scene, plan, report.solution);
+    if (!in_time || !report.solution.interrupted) {
+        const bool is_complete = report.solution.history.rows.size() == plan.rows.size();
+        report.solution.worst_relative_error =
+            std::max(in_time ? report.solution.worst_relative_error : 0.0,
+                     worst_relative_error(report.solution.history.rows));
+        report.solution.reached =
+            is_complete && report.solution.worst_relative_error <= scene.solver.accuracy;
     }
     return report;
 }

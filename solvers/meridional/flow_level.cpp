@@ -100,10 +100,19 @@ void FlowLevel::start_from(const FlowLevel& other) {
     state_ = std::move(state);
 }
 
-bool FlowLevel::solve_steady(const FlowMaterial& material, double tolerance) {
+bool FlowLevel::solve_steady(const FlowMaterial& material, double tolerance,
+                             const std::function<void()>& before_step) {
     const FlowState start = state_;
     double before = largest_step;
     for (int step = 0; step < most_newton_steps; ++step) {
+        if (before_step) {
+            try {
+                before_step();
+            } catch (...) {
+                state_ = start;
+                throw;
+            }
+        }
         if (!system_.factorise(state_, material)) {
             break;
         }

@@ -3,6 +3,7 @@
 #include "geometry/din_bob.hpp"
 #include "solvers/meridional/flow_system.hpp"
 
+#include <functional>
 #include <memory>
 
 namespace searle::solvers::meridional {
@@ -35,7 +36,10 @@ public:
     /// Newton's method from the present state to the steady flow. False where it does not converge
     /// (the state is then what it was).
     /// @param tolerance  of the velocity over that of the rotor, > 0
-    bool solve_steady(const FlowMaterial& material, double tolerance);
+    /// @param before_step  called before each factorisation; may throw, the state is then what it
+    /// was
+    bool solve_steady(const FlowMaterial& material, double tolerance,
+                      const std::function<void()>& before_step = {});
 
     /// Torque by the rotor on the fluid in steady flow, over 2 pi stress scale radius^3.
     [[nodiscard]] double steady_torque(const FlowMaterial& material) const;

@@ -24,6 +24,15 @@ InertiaFactorCurve::InertiaFactorCurve(const geometry::DinBob& bob,
                                        std::span<const double> speeds, double accuracy,
                                        const ProgressSink& progress)
     : flow_(bob, law, density, solution_share * accuracy) {
+    try {
+        solve_all(speeds, accuracy, progress);
+    } catch (const Interrupted&) {
+        interrupted_ = true;
+    }
+}
+
+void InertiaFactorCurve::solve_all(std::span<const double> speeds, double accuracy,
+                                   const ProgressSink& progress) {
     std::set<double> distinct;
     for (const double speed : speeds) {
         if (speed != 0.0) {

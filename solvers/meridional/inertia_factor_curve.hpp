@@ -2,6 +2,7 @@
 
 #include "solvers/meridional/steady_secondary_flow.hpp"
 
+#include <cmath>
 #include <complex>
 #include <map>
 #include <optional>
@@ -16,11 +17,16 @@ class InertiaFactorCurve {
 public:
     /// @param speeds    rad/s; signs are left out, zeros are skipped
     /// @param accuracy  asked-for relative error of the torque
-    /// May throw Interrupted.
+    /// Interrupted by `progress`: what was solved is kept, see has().
     InertiaFactorCurve(const geometry::DinBob& bob, const laws::flow::AnyFlowLaw& law,
                        double density, std::span<const double> speeds, double accuracy,
                        const ProgressSink& progress);
 
+    /// Whether at() may be asked for this speed; true for all unless interrupted.
+    [[nodiscard]] bool has(double speed) const {
+        return !interrupted_ || (!interpolates_ && solved_.contains(std::abs(speed)));
+    }
+    [[nodiscard]] bool interrupted() const { return interrupted_; }
     /// At one of the speeds given, != 0.
     [[nodiscard]] InertiaFactor at(double speed) const;
 
@@ -42,6 +48,8 @@ private:
     SteadySecondaryFlow flow_;
     std::map<double, InertiaFactor> solved_;
     bool interpolates_{};
+    bool interrupted_{};
+    void solve_all(std::span<const double> speeds, double accuracy, const ProgressSink& progress);
     double interpolation_error_{};
     int levels_{};
     long unknowns_{};

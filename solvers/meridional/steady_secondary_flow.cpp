@@ -1,6 +1,7 @@
 #include "solvers/meridional/steady_secondary_flow.hpp"
 
 #include "solvers/radial/annular_gap.hpp"
+#include "solvers/stability/taylor_threshold.hpp"
 
 #include <algorithm>
 #include <array>
@@ -29,7 +30,9 @@ constexpr double path_tolerance = 1e-2; ///< of the velocities on the way
 constexpr double first_yield_rounding = 2e-2;
 constexpr double smooth_rounding = 1e-5;    ///< of laws without a yield stress, at rest
 constexpr double creeping_tolerance = 1e-4; ///< of the energy, over the accuracy
-constexpr double newton_share = 0.1;        ///< of the accuracy that Newton's method may leave
+/// Past the onset of Taylor vortices there are many steady flows; further levels hop between them.
+constexpr std::size_t levels_past_onset = 4;
+constexpr double newton_share = 0.1; ///< of the accuracy that Newton's method may leave
 /// What is left of both iterations in the torque, of the accuracy: an estimate from levels does not
 /// see it where inertia is so weak that it is all there is.
 constexpr double iteration_share = 1e-3;
@@ -103,7 +106,7 @@ bool SteadySecondaryFlow::follow(std::size_t index, double from, double to) {
                                                                             : at / stride;
         const double tolerance = next == to ? newton_share * accuracy_ : path_tolerance;
         const ScaledFluid fluid = fluid_at(next, index);
-        if (flow.solve_steady(fluid.material(), tolerance)) {
+        if (flow.solve_steady(fluid.material(), tolerance, report_)) {
             at = next;
             continue;
         }
@@ -119,7 +122,8 @@ bool SteadySecondaryFlow::follow_inertia(std::size_t index, double speed) {
     const ScaledFluid fluid = fluid_at(speed, index);
     creep(index, speed);
     double share = std::min(1.0, easy_reynolds / fluid.reynolds());
-    while (level(index).flow->solve_steady(fluid.material(share), newton_share * accuracy_)) {
+    while (
+        level(index).flow->solve_steady(fluid.material(share), newton_share * accuracy_, report_)) {
         if (share == 1.0) {
             return true;
         }
@@ -144,7 +148,7 @@ bool SteadySecondaryFlow::reach(std::size_t index, double speed) {
     }
     const ScaledFluid fluid = fluid_at(slow, index);
     creep(index, slow);
-    return flow.solve_steady(fluid.material(), newton_share * accuracy_) &&
+    return flow.solve_steady(fluid.material(), newton_share * accuracy_, report_) &&
            follow(index, slow, speed);
 }
 
@@ -153,17 +157,24 @@ InertiaFactor SteadySecondaryFlow::at(double speed, const ProgressSink& progress
     double before = 0.0;
     double change_before = 0.0;
     int found = 0;
-    for (std::size_t index = first_level_; index < resolutions.size(); ++index) {
-        if (progress) {
-            progress(static_cast<double>(index) / resolutions.size(),
-                     "secondary flow, level " + std::to_string(index + 1));
-        }
+    const double gap = bob_.radius_ratio() - 1.0;
+    const bool is_past_onset = fluid_at(speed, smooth_rounding).reynolds() * gap >
+                               stability::taylor_threshold(gap).reynolds;
+    const std::size_t most_levels = is_past_onset ? levels_past_onset : resolutions.size();
+    for (std::size_t index = first_level_; index < most_levels; ++index) {
+        report_ = [&progress, index] {
+            if (progress) {
+                progress(static_cast<double>(index) / resolutions.size(),
+                         "secondary flow, level " + std::to_string(index + 1));
+            }
+        };
+        report_();
         const ScaledFluid fluid = fluid_at(speed, index);
         FlowLevel& flow = *level(index).flow;
         bool solved = false;
         if (found > 0) {
             flow.start_from(*levels_[index - 1].flow);
-            solved = flow.solve_steady(fluid.material(), newton_share * accuracy_);
+            solved = flow.solve_steady(fluid.material(), newton_share * accuracy_, report_);
         } else {
             solved = reach(index, speed);
             speed_of_first_.reset();
@@ -201,6 +212,7 @@ InertiaFactor SteadySecondaryFlow::at(double speed, const ProgressSink& progress
             break;
         }
     }
+    report_ = {};
     return result;
 }
 

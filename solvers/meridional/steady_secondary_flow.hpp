@@ -78,6 +78,7 @@ private:
     std::size_t first_level_{};            ///< the coarsest one that holds the flow
     std::optional<double> speed_of_first_; ///< of the state on it
     std::size_t last_level_{};
+    std::function<void()> report_; ///< of the call under way; may throw Interrupted
 };
 
 } // namespace searle::solvers::meridional

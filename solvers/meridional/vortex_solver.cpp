@@ -19,6 +19,8 @@ namespace {
 
 /// Past this multiple of the onset experiments see vortices that are no longer axisymmetric.
 constexpr double wavy_ratio = 1.1;
+/// Vortices that add less than this share of the torque do not show.
+constexpr double shown = 1e-3;
 /// Share of the onset below which the cell's flow is not looked at.
 constexpr double near_onset = 0.9;
 /// What waves may change, as a share of what the vortices add.
@@ -139,6 +141,26 @@ void doubt_waves(const Scene& scene, const Plan& plan, const radial::RadialRepor
     }
 }
 
+/// Where vortices could be and none are: a wavelength that does not grow, or not yet.
+void note_missing_vortices(const Plan& plan, const radial::RadialReport& laminar,
+                           radial::RadialReport& report) {
+    std::size_t past = 0;
+    std::size_t missing = 0;
+    for (std::size_t k = 0; k < report.history.rows.size(); ++k) {
+        if (plan.rows[k].taylor_ratio > 1.0) {
+            ++past;
+            const double flat = laminar.history.rows[k].torque;
+            missing += std::abs(report.history.rows[k].torque - flat) < shown * std::abs(flat);
+        }
+    }
+    if (missing > 0) {
+        report.notes.push_back(fmt::format(
+            "At {} of the {} rows past the onset no vortices show (less than {:.1g} % of "
+            "the torque): those of this wavelength do not grow there, or have not yet.",
+            missing, past, 100.0 * shown));
+    }
+}
+
 } // namespace
 
 radial::RadialReport solve_with_vortices(const Scene& scene, const Plan& plan,
@@ -173,6 +195,11 @@ radial::RadialReport solve_with_vortices(const Scene& scene, const Plan& plan,
         return report;
     }
     doubt_waves(scene, plan, laminar, report);
+    note_missing_vortices(plan, laminar, report);
+    if (!report.fields.empty()) {
+        report.notes.emplace_back(
+            "The fields and their pictures show the laminar flow without the vortices.");
+    }
     report.worst_relative_error = worst_relative_error(report.history.rows);
     report.reached = report.worst_relative_error <= scene.solver.accuracy;
     return report;

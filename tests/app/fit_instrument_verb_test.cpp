@@ -169,8 +169,27 @@ TEST_F(FitInstrumentVerb, times_that_do_not_increase_are_told) {
     std::string text = power_law_rows("time_s,angular_velocity_rad_s,torque_N_m", true);
     text.replace(text.find("\n30,"), 4, "\n0,");
     write_text(folder / "lab.csv", text);
+    std::string ramp = single_gap;
+    ramp.replace(ramp.find("type = \"steps\""), std::string::npos,
+                 "type = \"ramp\"\nfrom = \"0 1/s\"\nto = \"80 1/s\"\nduration = \"600 s\"\n"
+                 "points = 20\n");
+    write_text(folder / "gap.toml", ramp);
     const Outcome outcome = fit({"lab.csv", "--model", "power-law"});
     EXPECT_TRUE(holds(outcome.out, "times do not increase")) << outcome.out;
+}
+
+/// The times of speeds that are held and then jump are no ramp, whose inertia would be taken out.
+TEST_F(FitInstrumentVerb, times_of_steps_change_nothing) {
+    write_text(folder / "timed.csv",
+               power_law_rows("time_s,angular_velocity_rad_s,torque_N_m", true));
+    const auto consistency = [&](const char* file) {
+        return json::parse(fit({file, "--model", "power-law", "--json"}).out)
+            .at("parameters")
+            .at("consistency")
+            .at("value")
+            .get<double>();
+    };
+    EXPECT_EQ(consistency("timed.csv"), consistency("lab.csv"));
 }
 
 } // namespace
