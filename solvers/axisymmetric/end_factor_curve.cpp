@@ -1,8 +1,9 @@
 #include "solvers/axisymmetric/end_factor_curve.hpp"
 
+#include "solvers/chebyshev_speeds.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 
 namespace searle::solvers::axisymmetric {
@@ -58,10 +59,7 @@ void EndFactorCurve::solve_all(std::span<const double> speeds) {
     interpolates_ = true;
     const double low = std::log(*distinct.begin());
     const double high = std::log(*distinct.rbegin());
-    const auto point = [&](int k, int degree) {
-        return std::exp(0.5 * (low + high) -
-                        0.5 * (high - low) * std::cos(std::numbers::pi * k / degree));
-    };
+    const auto point = [&](int k, int degree) { return chebyshev_speed(low, high, k, degree); };
     degree_ = first_degree;
     for (int k = 0; k <= first_degree; ++k) {
         solve(point(k, first_degree));
@@ -124,21 +122,10 @@ void EndFactorCurve::solve(double speed) {
     reached_ = reached_ && found.reached;
 }
 
-/// Barycentric formula on Chebyshev points of the second kind, in ln speed.
 double EndFactorCurve::interpolated(double speed) const {
-    double above = 0.0;
-    double below = 0.0;
-    for (std::size_t k = 0; k < solved_.size(); ++k) {
-        const double distance = std::log(speed / solved_[k].speed);
-        if (std::abs(distance) < 1e-13) {
-            return solved_[k].value.end_factor;
-        }
-        const bool at_end = k == 0 || k + 1 == solved_.size();
-        const double weight = (k % 2 == 0 ? 1.0 : -1.0) * (at_end ? 0.5 : 1.0) / distance;
-        above += weight * std::log(solved_[k].value.end_factor);
-        below += weight;
-    }
-    return std::exp(above / below);
+    return interpolated_in_log(
+        solved_, speed, [](const auto& each) { return each.speed; },
+        [](const auto& each) { return each.value.end_factor; });
 }
 
 bool EndFactorCurve::has(double speed) const {

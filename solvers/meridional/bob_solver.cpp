@@ -101,7 +101,6 @@ void note_stability(const Plan& plan, InertiaFactorCurve& curve, radial::RadialR
                           fastest, -1.0 / rate->real(), turning));
 }
 
-/// Multiplies the torques (not of rows that a transient run has filled) and the end factors.
 /// Replaces the fields of steady rows by those with the secondary flow.
 void add_secondary_fields(const Scene& scene, AxisymmetricReport& report,
                           const ProgressSink& progress) {
@@ -138,6 +137,7 @@ void add_secondary_fields(const Scene& scene, AxisymmetricReport& report,
     }
 }
 
+/// Multiplies the torques (not of rows that a transient run has filled) and the end factors.
 /// @param delay_share  of what secondary flow adds, for not following it in time
 void apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& report,
                    bool fills_torque, double delay_share, const ProgressSink& progress) {

@@ -1,8 +1,9 @@
 #include "solvers/meridional/inertia_factor_curve.hpp"
 
+#include "solvers/chebyshev_speeds.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 #include <utility>
 #include <vector>
@@ -48,10 +49,7 @@ void InertiaFactorCurve::solve_all(std::span<const double> speeds, double accura
     interpolates_ = true;
     const double low = std::log(*distinct.begin());
     const double high = std::log(*distinct.rbegin());
-    const auto point = [&](int k, int degree) {
-        return std::exp(0.5 * (low + high) -
-                        0.5 * (high - low) * std::cos(std::numbers::pi * k / degree));
-    };
+    const auto point = [&](int k, int degree) { return chebyshev_speed(low, high, k, degree); };
     for (int k = 0; k <= first_degree; ++k) {
         solve(point(k, first_degree), progress);
     }
@@ -98,23 +96,10 @@ axisymmetric::SectionDivision InertiaFactorCurve::division() {
                : axisymmetric::SectionDivision{finest->lines(), finest->space().degree()};
 }
 
-/// Barycentric formula on Chebyshev points of the second kind, in ln speed.
 double InertiaFactorCurve::interpolated(double speed) const {
-    double above = 0.0;
-    double below = 0.0;
-    std::size_t k = 0;
-    for (const auto& [at, found] : solved_) {
-        const double distance = std::log(speed / at);
-        if (std::abs(distance) < 1e-13) {
-            return found.factor;
-        }
-        const bool at_end = k == 0 || k + 1 == solved_.size();
-        const double weight = (k % 2 == 0 ? 1.0 : -1.0) * (at_end ? 0.5 : 1.0) / distance;
-        above += weight * std::log(found.factor);
-        below += weight;
-        ++k;
-    }
-    return std::exp(above / below);
+    return interpolated_in_log(
+        solved_, speed, [](const auto& each) { return each.first; },
+        [](const auto& each) { return each.second.factor; });
 }
 
 InertiaFactor InertiaFactorCurve::at(double speed) const {

@@ -42,6 +42,7 @@ public:
     [[nodiscard]] std::optional<std::complex<double>> disturbance_rate(double speed);
 
 private:
+    void solve_all(std::span<const double> speeds, double accuracy, const ProgressSink& progress);
     void solve(double speed, const ProgressSink& progress);
     [[nodiscard]] double interpolated(double speed) const;
 
@@ -49,7 +50,6 @@ private:
     std::map<double, InertiaFactor> solved_;
     bool interpolates_{};
     bool interrupted_{};
-    void solve_all(std::span<const double> speeds, double accuracy, const ProgressSink& progress);
     double interpolation_error_{};
     int levels_{};
     long unknowns_{};
