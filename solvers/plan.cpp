@@ -207,7 +207,7 @@ Plan make_plan(const Scene& scene) {
         plan.expected_unknowns = cost.unknowns;
     }
     if (choice.can_be_solved && !choice.is_radial) {
-        const Cost cost = axisymmetric_cost(scene, forecast, plan.transient);
+        const Cost cost = axisymmetric_cost(scene, forecast, plan.transient, plan.secondary_flow);
         plan.expected_seconds = cost.seconds;
         plan.expected_unknowns = cost.unknowns;
     }

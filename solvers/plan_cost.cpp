@@ -57,7 +57,8 @@ Cost radial_cost(const Scene& scene, const Forecast& forecast, bool transient) {
     return {steady_seconds + seconds, static_cast<long>(gaps * (4.0 * elements + 1.0))};
 }
 
-Cost axisymmetric_cost(const Scene& scene, const Forecast& forecast, bool transient) {
+Cost axisymmetric_cost(const Scene& scene, const Forecast& forecast, bool transient,
+                       bool secondary_flow) {
     // From runs at accuracies of 1e-3 to 1e-5: seconds of one solution, and their number.
     const bool newtonian = std::holds_alternative<laws::flow::Newtonian>(scene.fluid.law);
     const bool power_law = std::holds_alternative<laws::flow::PowerLaw>(scene.fluid.law);
@@ -72,15 +73,11 @@ Cost axisymmetric_cost(const Scene& scene, const Forecast& forecast, bool transi
             ? 1.0
             : std::min(most_solutions, static_cast<double>(forecast.rows.size()));
     const double inertia = newtonian && transient ? 2.0 * one : 0.0;
-    // Secondary flow, as measured at 1e-3: a solution, a run in time.
-    const bool has_secondary =
-        std::any_of(forecast.facts.begin(), forecast.facts.end(), [&](const RowFacts& facts) {
-            return 12.0 * facts.end_flow_share > scene.solver.accuracy;
-        });
+    // Secondary flow, as measured at 1e-3: a run in time, a solution.
     const double secondary =
-        !has_secondary || scene.solver.secondary_flow == Switch::off ? 0.0
-        : transient                                                  ? 6.0
-                    : 0.4 * std::min(most_solutions, static_cast<double>(forecast.rows.size()));
+        !secondary_flow ? 0.0
+        : transient     ? 6.0
+                        : 0.4 * std::min(most_solutions, static_cast<double>(forecast.rows.size()));
     return {solutions * one + inertia + secondary,
             static_cast<long>((yields ? 5000.0 : 2000.0) * growth)};
 }

@@ -14,6 +14,7 @@ struct Cost {
 [[nodiscard]] Cost radial_cost(const Scene& scene, const Forecast& forecast, bool transient);
 
 /// The same for the flow around a DIN bob.
-[[nodiscard]] Cost axisymmetric_cost(const Scene& scene, const Forecast& forecast, bool transient);
+[[nodiscard]] Cost axisymmetric_cost(const Scene& scene, const Forecast& forecast, bool transient,
+                                     bool secondary_flow);
 
 } // namespace searle::solvers
