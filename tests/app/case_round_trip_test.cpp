@@ -1,7 +1,9 @@
 #include "app/starting_case.hpp"
 #include "tests/app/case_texts.hpp"
 
+#include "places.hpp"
 #include <filesystem>
+
 #include <gtest/gtest.h>
 #include <random>
 #include <string>

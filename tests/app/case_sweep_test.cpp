@@ -1,6 +1,8 @@
 #include "tests/app/case_texts.hpp"
 
+#include "places.hpp"
 #include <fstream>
+
 #include <gtest/gtest.h>
 #include <iterator>
 #include <string>

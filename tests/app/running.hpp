@@ -1,5 +1,7 @@
 #pragma once
 
+#include "places.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -4,9 +4,11 @@
 #include "casefile/reference.hpp"
 #include "casefile/toml_text.hpp"
 
+#include "places.hpp"
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+
 #include <gtest/gtest.h>
 #include <iterator>
 #include <memory>

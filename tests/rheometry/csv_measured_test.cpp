@@ -3,9 +3,11 @@
 #include "rheometry/tables/measured_data.hpp"
 #include "rheometry/tables/number_columns.hpp"
 
+#include "places.hpp"
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+
 #include <gtest/gtest.h>
 #include <numbers>
 #include <unistd.h>

@@ -2,6 +2,7 @@
 // (scipy.optimize.least_squares with analytic derivatives from four starts, polished by
 // Gauss-Newton to rounding), weights 1/stress ("relative") and 1 ("absolute").
 
+#include "places.hpp"
 #include "rheometry/fit/fit.hpp"
 #include "rheometry/tables/flow_curves.hpp"
 

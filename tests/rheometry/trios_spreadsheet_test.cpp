@@ -3,11 +3,13 @@
 #include "rheometry/tables/measured_data.hpp"
 #include "rheometry/tables/spreadsheet.hpp"
 
+#include "places.hpp"
 #include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+
 #include <gtest/gtest.h>
 #include <iterator>
 #include <random>

@@ -1,3 +1,5 @@
+#include "places.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
