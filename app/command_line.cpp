@@ -3,6 +3,7 @@
 #include "app/exit_code.hpp"
 #include "app/failures.hpp"
 #include "app/verb_check.hpp"
+#include "app/verb_collect.hpp"
 #include "app/verb_convert.hpp"
 #include "app/verb_doctor.hpp"
 #include "app/verb_ends.hpp"
@@ -46,6 +47,7 @@ public:
                         "Exit codes: 0 done, 1 fault, 2 wrong usage or case file, 3 accuracy not "
                         "reached,\n4 engine or model missing, 130 interrupted.");
         add_run();
+        add_collect();
         add_plan();
         add_check();
         add_convert();
@@ -128,6 +130,20 @@ private:
         add_path(app, "-o,--output", options->folder,
                  "Folder for the results; default results/<name of the case file>", "DIR");
         add_overrides(app, options->overrides);
+        app->add_flag("--quiet", options->quiet, "Print nothing but errors");
+        app->add_flag("--force", options->replace, "Replace results that are there already");
+        app->add_flag("--write-only", options->write_only,
+                      "Write OpenFOAM's cases without running them");
+    }
+    void add_collect() {
+        auto options = std::make_shared<CollectOptions>();
+        CLI::App* app =
+            add("collect", "Read OpenFOAM cases that were run elsewhere: rheogram, report",
+                "results/din-bob.openfoam -o din-bob", options, collect);
+        add_path(app, "DIR", options->engine_folder, "Folder that run --write-only wrote", "DIR")
+            ->required();
+        add_path(app, "-o,--output", options->folder,
+                 "Folder for the results; default DIR without .openfoam", "DIR");
         app->add_flag("--quiet", options->quiet, "Print nothing but errors");
         app->add_flag("--force", options->replace, "Replace results that are there already");
     }

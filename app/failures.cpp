@@ -8,6 +8,8 @@
 #include "app/usage_error.hpp"
 #include "geometry/mesh_error.hpp"
 #include "rheometry/tables/table_error.hpp"
+#include "solvers/openfoam/child_process.hpp"
+#include "solvers/openfoam/openfoam_solver.hpp"
 #include "solvers/suspension/suspension_motion.hpp"
 #include "solvers/unsuitable_scene.hpp"
 
@@ -42,6 +44,12 @@ int called(const std::function<int()>& verb) {
         return tell(ExitCode::wrong_usage, error.what());
     } catch (const solvers::suspension::StepFailure& error) {
         return tell(ExitCode::not_reached, fmt::format("{}; nothing was written", error.what()));
+    } catch (const solvers::openfoam::OpenFoamFailed& error) {
+        return tell(ExitCode::not_reached, error.what());
+    } catch (const solvers::openfoam::StartFailure& error) {
+        return tell(ExitCode::engine_missing,
+                    fmt::format("{}; apt-get install {} brings OpenFOAM and what it needs",
+                                error.what(), solvers::openfoam::package));
     } catch (const CheckpointError& error) {
         return tell(ExitCode::wrong_usage, error.what());
     } catch (const solvers::UnsuitableScene& error) {

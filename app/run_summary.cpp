@@ -34,7 +34,7 @@ double largest_stress_error(const rheometry::Rheogram& rheogram) {
 SolverNote solver_note(const SolvedCase& solved) {
     const solvers::radial::RadialReport& solution = solved.solution;
     const solvers::SolverSettings& settings = solved.source.scene.solver;
-    return {.engine = "native",
+    return {.engine = settings.engine == solvers::Engine::openfoam ? "openfoam" : "native",
             .model = solved.plan.model,
             .model_asked = std::string(name_of(settings.model)),
             .model_reason = solved.plan.model_reason,

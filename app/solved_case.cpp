@@ -2,6 +2,7 @@
 
 #include "solvers/meridional/bob_solver.hpp"
 #include "solvers/meridional/vortex_solver.hpp"
+#include "solvers/openfoam/openfoam_solver.hpp"
 #include "solvers/suspension/suspension_solver.hpp"
 
 #include <fmt/format.h>
@@ -49,11 +50,17 @@ void convert_with_computed_ends(SolvedCase& solved, const std::vector<double>& e
 
 } // namespace
 
+solvers::openfoam::Installation installation_for(const Case& source) {
+    const auto found = solvers::openfoam::find_installation();
+    if (!found)
+        throw EngineMissing(fmt::format(
+            "{}: solver.engine: OpenFOAM is not here; apt-get install {} brings it, engine = "
+            "\"native\" solves the case without it",
+            source.file.string(), solvers::openfoam::package));
+    return *found;
+}
+
 PlannedCase plan_case(Case source, StageClock clock) {
-    if (source.scene.solver.engine == solvers::Engine::openfoam)
-        throw EngineMissing(source.file.string() +
-                            ": solver.engine: this version of Searle cannot drive OpenFOAM; "
-                            "engine = \"native\" solves the case itself");
     PlannedCase planned{std::move(source), {}, std::move(clock)};
     planned.plan = solvers::make_plan(planned.source.scene);
     planned.clock.end_stage("plan");
@@ -62,22 +69,36 @@ PlannedCase plan_case(Case source, StageClock clock) {
     return planned;
 }
 
+namespace {
+
+SolvedCase unsolved(PlannedCase planned) {
+    return {.source = std::move(planned.source),
+            .plan = std::move(planned.plan),
+            .solution = {},
+            .division = {},
+            .conversion = {},
+            .rheogram = {},
+            .ends = {},
+            .clock = std::move(planned.clock)};
+}
+
+/// Stresses and rates from the torques that are there.
+void convert(SolvedCase& solved, const std::vector<double>& end_factors);
+
+} // namespace
+
 SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress,
-                      const solvers::suspension::Checkpointing& checkpointing) {
-    SolvedCase solved{.source = std::move(planned.source),
-                      .plan = std::move(planned.plan),
-                      .solution = {},
-                      .division = {},
-                      .conversion = {},
-                      .rheogram = {},
-                      .ends = {},
-                      .clock = std::move(planned.clock)};
+                      const RunKeeping& keeping) {
+    SolvedCase solved = unsolved(std::move(planned));
     const solvers::Scene& scene = solved.source.scene;
     std::vector<double> end_factors;
-    if (scene.particles) {
-        solved.solution =
-            solvers::suspension::solve_suspension(scene, solved.plan, progress, checkpointing)
-                .solution;
+    if (scene.solver.engine == solvers::Engine::openfoam) {
+        solved.solution = solvers::openfoam::solve_with_openfoam(
+            scene, solved.plan, keeping.engine_folder, installation_for(solved.source), progress);
+    } else if (scene.particles) {
+        solved.solution = solvers::suspension::solve_suspension(scene, solved.plan, progress,
+                                                                keeping.checkpointing)
+                              .solution;
     } else if (solved.plan.vortices) {
         solved.solution = solvers::meridional::solve_with_vortices(scene, solved.plan, progress);
     } else if (solved.plan.model == "axisymmetric") {
@@ -92,6 +113,25 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
         solved.solution = solvers::radial::solve_radial(scene, solved.plan, progress);
     }
     solved.clock.end_stage("solve");
+    convert(solved, end_factors);
+    return solved;
+}
+
+SolvedCase collect_case(PlannedCase planned, const std::filesystem::path& engine_folder) {
+    SolvedCase solved = unsolved(std::move(planned));
+    // Reading needs no program of OpenFOAM's, only what it wrote.
+    solved.solution = solvers::openfoam::collect_from_openfoam(
+        solved.source.scene, solved.plan, engine_folder,
+        solvers::openfoam::find_installation().value_or(solvers::openfoam::Installation{}));
+    solved.clock.end_stage("collect");
+    convert(solved, {});
+    return solved;
+}
+
+namespace {
+
+void convert(SolvedCase& solved, const std::vector<double>& end_factors) {
+    const solvers::Scene& scene = solved.source.scene;
     const rheometry::TorqueHistory& history = solved.solution.history;
     solved.conversion = rheometry::conversion_for(scene.instrument, scene.conversion);
     const std::vector<std::string> regimes = regimes_of(solved.plan, history.rows.size());
@@ -101,8 +141,9 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
     else
         solved.rheogram = rheometry::make_rheogram(history, solved.conversion, regimes, wall_rates);
     solved.clock.end_stage("convert");
-    return solved;
 }
+
+} // namespace
 
 Completeness completeness_of(const SolvedCase& solved) {
     if (solved.solution.interrupted)

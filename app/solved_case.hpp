@@ -7,11 +7,13 @@
 #include "rheometry/end_effect.hpp"
 #include "rheometry/rheogram.hpp"
 #include "solvers/axisymmetric/section_mesh.hpp"
+#include "solvers/openfoam/installation.hpp"
 #include "solvers/plan.hpp"
 #include "solvers/progress.hpp"
 #include "solvers/radial/radial_solver.hpp"
 #include "solvers/suspension/checkpoint.hpp"
 
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -24,6 +26,9 @@ struct EngineMissing : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// The OpenFOAM that a case is run with. Throws EngineMissing, with the name of the package.
+[[nodiscard]] solvers::openfoam::Installation installation_for(const Case& source);
+
 /// A case with its plan, which can be solved.
 struct PlannedCase {
     Case source;
@@ -34,6 +39,12 @@ struct PlannedCase {
 /// Plans a case; `clock` has timed its reading. Throws EngineMissing when this program cannot solve
 /// it.
 [[nodiscard]] PlannedCase plan_case(Case source, StageClock clock);
+
+/// Where a run leaves what it can go on from.
+struct RunKeeping {
+    solvers::suspension::Checkpointing checkpointing; ///< of a suspension
+    std::filesystem::path engine_folder;              ///< of engine = "openfoam": its cases
+};
 
 /// A case with what came out of it.
 struct SolvedCase {
@@ -50,9 +61,13 @@ struct SolvedCase {
 
 /// Solves and converts. When the progress sink throws solvers::Interrupted the rheogram has the
 /// rows that were finished.
-/// @param checkpointing of a suspension's run
+/// @param keeping  what keeps a long run safe, and where
 [[nodiscard]] SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress,
-                                    const solvers::suspension::Checkpointing& checkpointing = {});
+                                    const RunKeeping& keeping = {});
+
+/// The same from an engine's folder that was run elsewhere; nothing is solved.
+[[nodiscard]] SolvedCase collect_case(PlannedCase planned,
+                                      const std::filesystem::path& engine_folder);
 
 [[nodiscard]] Completeness completeness_of(const SolvedCase& solved);
 

@@ -34,7 +34,7 @@ struct OptionalTool {
 
 constexpr std::array optional_tools{
     OptionalTool{"OpenFOAM", "pimpleFoam", "openfoam",
-                 "this version of Searle does not drive it yet: engine = \"native\" solves all"},
+                 "solver.engine = \"openfoam\", searle compare"},
     OptionalTool{"rsvg-convert", "rsvg-convert", "librsvg2-bin", "pictures of meshes as .png"}};
 
 std::optional<fs::path> in_path(std::string_view program) {

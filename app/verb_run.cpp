@@ -1,12 +1,15 @@
 #include "app/verb_run.hpp"
 
 #include "app/checkpoint_file.hpp"
+#include "app/engine_folder.hpp"
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
 #include "app/progress_line.hpp"
 #include "app/result_message.hpp"
 #include "app/run_summary.hpp"
 #include "app/sweep_files.hpp"
+#include "app/usage_error.hpp"
+#include "solvers/openfoam/openfoam_solver.hpp"
 
 #include <fmt/format.h>
 
@@ -28,13 +31,23 @@ fs::path checkpoint_of(const Case& source, const fs::path& folder, bool sweeps) 
 
 /// Solves a case; one with particles goes on from its checkpoint, and is kept in it.
 SolvedCase solve_safely(PlannedCase planned, const solvers::ProgressSink& sink,
-                        const fs::path& checkpoint, const RunOptions& options) {
+                        const fs::path& checkpoint, const fs::path& engine_folder,
+                        const RunOptions& options) {
+    if (planned.source.scene.solver.engine == solvers::Engine::openfoam) {
+        (void)installation_for(planned.source); // before anything is written
+        if (open_engine_folder(engine_folder, planned.source, options.replace) && !options.quiet)
+            std::fputs(fmt::format("searle: goes on from {}\n", engine_folder.string()).c_str(),
+                       stderr);
+        return solve_case(std::move(planned), sink,
+                          {.checkpointing = {}, .engine_folder = engine_folder});
+    }
     if (!planned.source.scene.particles)
         return solve_case(std::move(planned), sink);
     const CheckpointKeeper keeper(checkpoint, planned.source.hash, options.replace);
     if (keeper.goes_on() && !options.quiet)
         std::fputs(fmt::format("searle: goes on from {}\n", checkpoint.string()).c_str(), stderr);
-    SolvedCase solved = solve_case(std::move(planned), sink, keeper.checkpointing());
+    SolvedCase solved = solve_case(std::move(planned), sink,
+                                   {.checkpointing = keeper.checkpointing(), .engine_folder = {}});
     if (!keeper.trouble().empty())
         solved.solution.notes.push_back(keeper.trouble());
     return solved;
@@ -57,7 +70,9 @@ std::vector<SolvedCase> solve_all(std::vector<PlannedCase> planned, const RunOpt
         if (planned.size() > 1)
             line.set_prefix(fmt::format("run {} of {}: ", i + 1, planned.size()));
         const fs::path checkpoint = checkpoint_of(planned[i].source, folder, sweeps);
-        SolvedCase each = solve_safely(std::move(planned[i]), sink, checkpoint, options);
+        const fs::path engine_folder = engine_folder_for(planned[i].source, folder, sweeps);
+        SolvedCase each =
+            solve_safely(std::move(planned[i]), sink, checkpoint, engine_folder, options);
         if (!each.rheogram.points.empty())
             solved.push_back(std::move(each));
     }
@@ -97,10 +112,6 @@ void tell_shortfall(Completeness completeness, const fs::path& folder) {
         tell(fmt::format("searle: interrupted; what was finished: {}\n", folder.string()));
 }
 
-} // namespace
-
-namespace {
-
 /// The results are written: what kept the finished runs safe goes.
 void remove_checkpoints(const std::vector<SolvedCase>& solved, const fs::path& folder,
                         bool sweeps) {
@@ -113,10 +124,38 @@ void remove_checkpoints(const std::vector<SolvedCase>& solved, const fs::path& f
 
 } // namespace
 
+namespace {
+
+/// Writes OpenFOAM's cases without running them.
+int write_cases(const std::vector<Case>& cases, const RunOptions& options) {
+    for (const Case& each : cases) {
+        if (each.scene.solver.engine != solvers::Engine::openfoam)
+            throw UsageError(each.file.string() +
+                             ": --write-only is for solver.engine = \"openfoam\"");
+        const solvers::Plan plan = solvers::make_plan(each.scene);
+        const fs::path folder =
+            options.folder ? (cases.size() > 1 ? *options.folder / each.name : *options.folder)
+                           : engine_folder_for(each, folder_for(options), cases.size() > 1);
+        (void)open_engine_folder(folder, each, options.replace);
+        solvers::openfoam::write_levels(each.scene, solvers::openfoam::plan_foam(each.scene, plan),
+                                        folder, {});
+        if (!options.quiet)
+            tell(
+                fmt::format("searle: written: {0}\nRun Allrun in each of its level-* folders, then "
+                            "searle collect {0}\n",
+                            folder.string()));
+    }
+    return ExitCode::done;
+}
+
+} // namespace
+
 int run(const RunOptions& options) {
     StageClock clock;
     const std::vector<Case> cases = read_cases(options.case_file, options.overrides);
     clock.end_stage("read");
+    if (options.write_only)
+        return write_cases(cases, options);
     if (cases.size() > 1)
         check_run_names(cases);
     const fs::path folder = folder_for(options);

@@ -13,6 +13,7 @@ struct RunOptions {
     std::vector<std::string> overrides;          ///< "key=value" texts of --set
     bool quiet = false;                          ///< nothing on stderr but errors
     bool replace = false;                        ///< --force
+    bool write_only = false; ///< OpenFOAM's cases are written, not run; `folder` is theirs
 };
 
 /// `searle run CASE.toml`: case, plan, solver, rheogram, report. The result folder appears as a

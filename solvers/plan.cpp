@@ -1,5 +1,7 @@
 #include "solvers/plan.hpp"
 
+#include "rheometry/schedule.hpp"
+#include "solvers/openfoam/foam_plan.hpp"
 #include "solvers/plan_cost.hpp"
 #include "solvers/plan_forecast.hpp"
 #include "solvers/plan_items.hpp"
@@ -102,13 +104,7 @@ std::string why_transient(const Scene& scene, const Forecast& forecast, bool tra
 Choice choose(const Scene& scene, const Forecast& forecast, bool transient) {
     const Model asked = scene.solver.model;
     if (scene.solver.engine == Engine::openfoam) {
-        return {
-            "openfoam",
-            fmt::format("solver.engine = \"openfoam\": this version cannot drive OpenFOAM yet.{}",
-                        has_ends(scene)
-                            ? ""
-                            : " engine = \"native\" solves this scene with the radial model."),
-            false, false};
+        return {"openfoam", "", true, false}; // solvers/openfoam says which program, and why
     }
     const bool has_axis = !is_box(scene);
     if (asked == Model::three_dimensional || (asked == Model::axisymmetric && !has_axis)) {
@@ -169,13 +165,47 @@ std::vector<std::string> choice_warnings(const Scene& scene, const Choice& choic
     return warnings;
 }
 
+/// Rows of a rotor of any shape: speeds and rates alone.
+std::vector<RowForecast> rows_without_forecast(const Scene& scene) {
+    const auto conversion = rheometry::conversion_for(scene.instrument, scene.conversion);
+    const auto schedule = rheometry::schedule(scene.protocol, conversion);
+    std::vector<RowForecast> rows;
+    const auto add = [&](double time, double speed) {
+        RowForecast row;
+        row.time = time;
+        row.speed = speed;
+        row.shear_rate = conversion.rate_per_speed * speed;
+        row.regime = "not-judged";
+        rows.push_back(std::move(row));
+    };
+    if (const auto* series = std::get_if<rheometry::SteadySpeeds>(&schedule))
+        for (const double speed : series->speeds)
+            add(0.0, speed);
+    else {
+        const auto& history = std::get<rheometry::SpeedHistory>(schedule);
+        for (const double time : history.row_times)
+            add(time, history.speed_at(time));
+    }
+    return rows;
+}
+
 /// Of a profile: no formula for a gap holds around it, so nothing can be foretold.
 Plan plan_without_model() {
     Plan plan;
     plan.model = "none";
-    plan.model_reason = "A rotor of any shape (geometry.type = \"profile\") can be meshed and "
-                        "converted, but nothing in this version solves the flow around it";
+    plan.model_reason =
+        "A rotor of any shape (geometry.type = \"profile\") can be meshed and "
+        "converted; the flow around it is OpenFOAM's to solve: solver.engine = \"openfoam\"";
     plan.can_be_solved = false;
+    return plan;
+}
+
+Plan plan_of_profile(const Scene& scene) {
+    Plan plan;
+    plan.rows = rows_without_forecast(scene);
+    const openfoam::FoamPlan foam = openfoam::plan_foam(scene, plan);
+    plan.transient = !foam.steady;
+    openfoam::describe(scene, foam, plan);
     return plan;
 }
 
@@ -183,7 +213,8 @@ Plan plan_without_model() {
 
 Plan make_plan(const Scene& scene) {
     if (scene.profile) {
-        return plan_without_model();
+        return scene.solver.engine == Engine::openfoam ? plan_of_profile(scene)
+                                                       : plan_without_model();
     }
     Forecast forecast = solvers::forecast(scene);
     Plan plan;
@@ -206,7 +237,7 @@ Plan make_plan(const Scene& scene) {
         plan.expected_seconds = cost.seconds;
         plan.expected_unknowns = cost.unknowns;
     }
-    if (choice.can_be_solved && !choice.is_radial) {
+    if (choice.can_be_solved && !choice.is_radial && scene.solver.engine == Engine::native) {
         const Cost cost = axisymmetric_cost(scene, forecast, plan.transient, plan.secondary_flow);
         plan.expected_seconds = cost.seconds;
         plan.expected_unknowns = cost.unknowns;
@@ -217,6 +248,8 @@ Plan make_plan(const Scene& scene) {
     if (scene.particles && scene.solver.engine == Engine::native)
         suspension::plan_suspension(scene, forecast, plan);
     plan.rows = std::move(forecast.rows);
+    if (scene.solver.engine == Engine::openfoam)
+        openfoam::describe(scene, openfoam::plan_foam(scene, plan), plan);
     return plan;
 }
 

@@ -22,6 +22,15 @@ enum class Engine { native, openfoam };
 enum class Model { automatic, radial, axisymmetric, three_dimensional };
 enum class Switch { automatic, on, off };
 
+/// The OpenFOAM program that solves, for engine = openfoam.
+enum class FoamApplication {
+    ico_foam,               ///< PISO in time, Newtonian
+    non_newtonian_ico_foam, ///< PISO in time
+    piso_foam,              ///< PISO in time
+    pimple_foam,            ///< PISO in time with outer corrections
+    simple_foam             ///< steady
+};
+
 struct SolverSettings {
     Engine engine = Engine::native;
     Model model = Model::automatic;
@@ -32,6 +41,15 @@ struct SolverSettings {
     std::optional<double> vortex_wavelength;
     /// What vortices grow from in time: unevenness of the rotor's speed along the axis.
     double disturbance = 1e-3;
+    /// OpenFOAM alone: the program; without a value the plan's.
+    std::optional<FoamApplication> application;
+    /// OpenFOAM alone: processes, >= 1.
+    int processors = 1;
+    /// OpenFOAM alone: time step of the finest level, s; without a value the plan's.
+    std::optional<double> time_step;
+    /// OpenFOAM alone: viscosity at which a fluid that does not flow is let flow, Pa s; without a
+    /// value the plan's.
+    std::optional<double> viscosity_cap;
 };
 
 struct OutputSettings {

@@ -17,6 +17,49 @@ casefile::Keys<Fluid> fluid_keys() {
     return keys;
 }
 
+namespace {
+
+void declare_openfoam(casefile::Keys<SolverSettings>& keys) {
+    keys.choice("application", &SolverSettings::application,
+                std::vector<casefile::Named<FoamApplication>>{
+                    {"icoFoam", FoamApplication::ico_foam, "in time, Newtonian"},
+                    {"nonNewtonianIcoFoam", FoamApplication::non_newtonian_ico_foam,
+                     "in time; Debian's is defective"},
+                    {"pisoFoam", FoamApplication::piso_foam, "in time"},
+                    {"pimpleFoam", FoamApplication::pimple_foam, "in time, outer corrections"},
+                    {"simpleFoam", FoamApplication::simple_foam, "steady"}})
+        .example("pimpleFoam")
+        .or_absent_as("auto", "pimpleFoam in time, simpleFoam for steady rows")
+        .not_in_new()
+        .says("The OpenFOAM program that solves; for engine = \"openfoam\".");
+    keys.key("processors", &SolverSettings::processors)
+        .is_integer()
+        .at_least("1")
+        .at_most("100000")
+        .example("2")
+        .not_in_new()
+        .says("Processes that OpenFOAM runs on; for engine = \"openfoam\".");
+    keys.key("time_step", &SolverSettings::time_step)
+        .measures(casefile::duration)
+        .above("0 s")
+        .at_most("1e6 s")
+        .example("20 ms")
+        .or_absent_as("auto", "a fraction of the time between rows")
+        .not_in_new()
+        .says("OpenFOAM's time step on the finest level; for engine = \"openfoam\".");
+    keys.key("viscosity_cap", &SolverSettings::viscosity_cap)
+        .measures(casefile::viscosity)
+        .above("0 Pa.s")
+        .at_most("1e12 Pa.s")
+        .example("100 Pa.s")
+        .or_absent_as("auto", "high enough for the accuracy")
+        .not_in_new()
+        .says("Largest viscosity in OpenFOAM, which lets a fluid below its yield stress creep; for "
+              "engine = \"openfoam\".");
+}
+
+} // namespace
+
 casefile::Keys<SolverSettings> solver_keys() {
     casefile::Keys<SolverSettings> keys;
     keys.choice<Engine SolverSettings::*, Engine>(
@@ -79,6 +122,7 @@ casefile::Keys<SolverSettings> solver_keys() {
         .example("1e-3")
         .not_in_new()
         .says("Unevenness of the rotor's speed along its axis, which Taylor vortices grow from.");
+    declare_openfoam(keys);
     return keys;
 }
 

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "app/case_reader.hpp"
+
+#include <filesystem>
+
+namespace searle::app {
+
+/// Where OpenFOAM's cases of a run stand: beside its result folder, `<result folder>.openfoam`, in
+/// a sweep `<result folder>.<name>.openfoam`.
+[[nodiscard]] std::filesystem::path
+engine_folder_for(const Case& source, const std::filesystem::path& result_folder, bool sweeps);
+
+/// Makes the folder ready for the case: it holds `case.toml`, the case as resolved.
+/// @param anew  what an earlier run left there goes
+/// @return whether an earlier run of this very case stands there, to go on from
+/// Throws OutputPlaceError where it holds anything else, or another case.
+bool open_engine_folder(const std::filesystem::path& folder, const Case& source, bool anew);
+
+} // namespace searle::app

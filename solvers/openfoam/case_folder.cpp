@@ -1,0 +1,131 @@
+#include "solvers/openfoam/case_folder.hpp"
+
+#include "geometry/mesh_format/write_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <unistd.h>
+
+namespace searle::solvers::openfoam {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+    errno = 0;
+    std::ofstream stream(file, std::ios::binary);
+    stream << text;
+    stream.close();
+    if (!stream)
+        throw fs::filesystem_error(
+            "cannot be written", file,
+            std::error_code(errno == 0 ? EIO : errno, std::generic_category()));
+}
+
+/// Name and value of each time folder.
+std::vector<std::pair<double, std::string>> time_folders(const fs::path& folder) {
+    std::vector<std::pair<double, std::string>> times;
+    std::error_code missing;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, missing)) {
+        const std::string name = entry.path().filename().string();
+        double value{};
+        const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), value);
+        if (error == std::errc{} && end == name.data() + name.size() &&
+            fs::exists(entry.path() / "U", missing))
+            times.emplace_back(value, name);
+    }
+    std::ranges::sort(times);
+    return times;
+}
+
+} // namespace
+
+void write_case(const fs::path& folder, const CaseFacts& facts) {
+    const fs::path part = folder.string() + fmt::format(".part-{}", getpid());
+    std::error_code ignored;
+    fs::remove_all(part, ignored);
+    try {
+        fs::create_directories(part / "0");
+        fs::create_directories(part / "constant");
+        fs::create_directories(part / "system");
+        geometry::write_openfoam(facts.mesh, part);
+        write_text(part / "0/U", velocity_text(facts));
+        write_text(part / "0/p", pressure_text(facts));
+        write_text(part / "constant/transportProperties", transport_properties(facts));
+        write_text(part / "constant/turbulenceProperties", turbulence_properties());
+        write_text(part / "system/controlDict", control_text(facts));
+        write_text(part / "system/fvSchemes", schemes_text(facts));
+        write_text(part / "system/fvSolution", solution_text(facts));
+        if (facts.scene.solver.processors > 1)
+            write_text(part / "system/decomposeParDict", decomposition_text(facts));
+        write_text(part / "Allrun", run_script(facts));
+        fs::permissions(part / "Allrun", fs::perms::owner_exec | fs::perms::group_exec,
+                        fs::perm_options::add);
+        fs::remove_all(folder);
+        fs::rename(part, folder);
+    } catch (...) {
+        fs::remove_all(part, ignored);
+        throw;
+    }
+}
+
+void set_control(const fs::path& folder, const std::string& key, const std::string& value) {
+    const fs::path file = folder / "system/controlDict";
+    std::string text = text_of(file);
+    const std::size_t line = text.find("\n" + key + " ");
+    if (line == std::string::npos)
+        throw fs::filesystem_error("has no entry " + key, file,
+                                   std::make_error_code(std::errc::invalid_argument));
+    const std::size_t end = text.find('\n', line + 1);
+    text.replace(line + 1, end - line - 1, fmt::format("{:<15} {};", key, value));
+    // As a whole, for OpenFOAM reads it again whenever it changes.
+    const fs::path part = file.string() + ".part";
+    write_text(part, text);
+    fs::rename(part, file);
+}
+
+std::vector<std::string> times_in(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const auto& [value, name] : time_folders(folder))
+        names.push_back(name);
+    return names;
+}
+
+std::vector<geometry::Point> velocity_at(const fs::path& folder, const std::string& time,
+                                         std::size_t cells) {
+    const std::string text = text_of(folder / time / "U");
+    const std::size_t field = text.find("internalField");
+    const std::size_t open = text.find("\n(\n", field == std::string::npos ? 0 : field);
+    std::vector<geometry::Point> velocity;
+    if (field == std::string::npos || open == std::string::npos ||
+        text.find("nonuniform", field) > open)
+        return velocity;
+    velocity.reserve(cells);
+    const char* at = text.data() + open + 3;
+    const char* const end = text.data() + text.size();
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+        double value[3]{};
+        for (double& component : value) {
+            while (at < end && (*at == ' ' || *at == '(' || *at == ')' || *at == '\n'))
+                ++at;
+            const auto [next, error] = std::from_chars(at, end, component);
+            if (error != std::errc{})
+                return {};
+            at = next;
+        }
+        velocity.push_back({value[0], value[1], value[2]});
+    }
+    return velocity;
+}
+
+} // namespace searle::solvers::openfoam

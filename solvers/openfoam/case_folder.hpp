@@ -1,0 +1,28 @@
+#pragma once
+
+#include "geometry/mesh_build.hpp"
+#include "solvers/openfoam/dictionaries.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace searle::solvers::openfoam {
+
+/// Writes the case of one level: mesh, fields, dictionaries, Allrun. The folder appears as a whole.
+/// Throws std::filesystem::filesystem_error.
+void write_case(const std::filesystem::path& folder, const CaseFacts& facts);
+
+/// Sets an entry of system/controlDict that stands on a line of its own.
+void set_control(const std::filesystem::path& folder, const std::string& key,
+                 const std::string& value);
+
+/// Names of the time folders that hold a velocity, in the order of time.
+/// @param folder  a case, or one of its processor folders
+[[nodiscard]] std::vector<std::string> times_in(const std::filesystem::path& folder);
+
+/// Velocity of each cell at a time; empty where the file is missing or cannot be read.
+[[nodiscard]] std::vector<geometry::Point> velocity_at(const std::filesystem::path& folder,
+                                                       const std::string& time, std::size_t cells);
+
+} // namespace searle::solvers::openfoam

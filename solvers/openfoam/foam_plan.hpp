@@ -1,0 +1,54 @@
+#pragma once
+
+#include "geometry/mesh_settings.hpp"
+#include "rheometry/schedule.hpp"
+#include "solvers/plan.hpp"
+#include "solvers/scene.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace searle::solvers::openfoam {
+
+/// How a scene is given to OpenFOAM.
+struct FoamPlan {
+    FoamApplication application = FoamApplication::pimple_foam;
+    std::string application_reason; ///< a clause that holds the reason
+    bool steady{};                  ///< row after row until it stands still; else in time
+    /// Speeds of the steady rows, rad/s (m/s of a box's wall); or the drive's history in time.
+    rheometry::SteadySpeeds speeds;
+    rheometry::SpeedHistory history;
+    /// Time that the first speed is held before the history starts, s: a ramp that follows a long
+    /// hold. OpenFOAM's time is the history's plus this.
+    double hold{};
+    /// Dynamic, Pa s. Without use for laws of bounded viscosity.
+    double viscosity_cap{};
+    /// Relative error of a partly sheared row's torque that is claimed for the cap, one a row.
+    std::vector<double> cap_error;
+    int outer_corrections = 3; ///< of pimpleFoam in a time step
+    int iterations{};          ///< most of simpleFoam for a row
+    int levels{};              ///< most levels of refinement, >= 2
+    int coarsest_cells{};      ///< across the gap, on the first level; twice that on each further
+    double coarsest_step{};    ///< s, on the first level; half of that on each further
+    /// Taylor vortices are to grow: cells along the axis too, and a disturbance to grow from.
+    bool vortices{};
+    double vortex_height{}; ///< m, one vortex: half of the wavelength
+};
+
+/// The name of the program.
+[[nodiscard]] std::string_view name_of(FoamApplication application);
+
+/// @param plan  of the same scene: rows, regimes, vortices
+/// Throws UnsuitableScene where OpenFOAM cannot do what the case asks for.
+[[nodiscard]] FoamPlan plan_foam(const Scene& scene, const Plan& plan);
+
+/// What is meshed on a level, 0 the coarsest. The case's own [mesh] has precedence; its cells are
+/// those of the finest level.
+[[nodiscard]] geometry::MeshSettings mesh_settings(const Scene& scene, const FoamPlan& plan,
+                                                   int level);
+
+/// The plan's words and cost for this engine, put into `plan`.
+void describe(const Scene& scene, const FoamPlan& foam, Plan& plan);
+
+} // namespace searle::solvers::openfoam

@@ -1,0 +1,130 @@
+#include "solvers/openfoam/level_reading.hpp"
+
+#include "solvers/openfoam/case_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace searle::solvers::openfoam {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Linear between samples; nothing outside of them.
+std::optional<double> value_at(const std::vector<LoadSample>& samples, double time,
+                               double tolerance) {
+    const auto after = std::ranges::lower_bound(samples, time - tolerance, {}, &LoadSample::time);
+    if (after == samples.end())
+        return std::nullopt;
+    if (after == samples.begin() || std::abs(after->time - time) <= tolerance)
+        return after->value;
+    const LoadSample& before = *(after - 1);
+    const double part = (time - before.time) / (after->time - before.time);
+    return before.value + part * (after->value - before.value);
+}
+
+/// Integral from 0 over the samples: over the first step as an implicit step sums it, then by
+/// trapezoids.
+double integral_of(const std::vector<LoadSample>& samples, const auto& integrand) {
+    double sum = 0.0;
+    for (std::size_t at = 0; at < samples.size(); ++at) {
+        const double before = at == 0 ? 0.0 : samples[at - 1].time;
+        const double mean = at == 0 ? integrand(at) : 0.5 * (integrand(at - 1) + integrand(at));
+        sum += mean * (samples[at].time - before);
+    }
+    return sum;
+}
+
+void read_in_time(const LevelTask& task, const LevelCase& level, LevelResult& result) {
+    const fs::path post = task.folder / "postProcessing";
+    const std::vector<LoadSample> bob = load_history(post / "torque_bob", level.component());
+    const std::vector<LoadSample> cup = load_history(post / "torque_cup", level.component());
+    const double factor = level.slice_factor();
+    const double tolerance = 1e-3 * level.facts().time_step;
+    for (const double time : task.plan.history.row_times) {
+        const auto torque = value_at(bob, task.plan.hold + time, tolerance);
+        if (!torque)
+            break;
+        result.torque.push_back(-factor * *torque);
+        result.unsettled.push_back(0.0);
+    }
+    result.steps = static_cast<long>(bob.size());
+    const bool at_end = !bob.empty() && bob.size() == cup.size() &&
+                        bob.back().time > end_time(level.facts()) - 0.5 * level.facts().time_step;
+    const std::vector<std::string> times = times_in(task.folder);
+    if (!at_end || times.empty())
+        return;
+    const std::vector<geometry::Point> velocity =
+        velocity_at(task.folder, times.back(), level.mesh().mesh.cells.size());
+    if (velocity.empty())
+        return;
+    // Force on the rotor by the fluid is minus the drive's; that on the cup brakes the fluid.
+    const double gained =
+        integral_of(bob, [&](std::size_t at) { return -factor * (bob[at].value + cup[at].value); });
+    const double worked =
+        integral_of(bob, [&](std::size_t at) { return std::abs(factor * bob[at].value); });
+    if (worked > 0.0)
+        result.imbalance = std::abs(gained - level.momentum(velocity)) / worked;
+}
+
+void read_steady(const LevelTask& task, const LevelCase& level, LevelResult& result) {
+    const fs::path post = task.folder / "postProcessing";
+    const double factor = level.slice_factor();
+    const std::size_t rows = task.plan.speeds.speeds.size();
+    double worst = 0.0;
+    for (std::size_t row = 0; row < rows; ++row) {
+        const std::string start =
+            fmt::format("{}", row * static_cast<std::size_t>(task.plan.iterations));
+        if (!row_is_finished(task, row))
+            break;
+        const auto bob = loads_since(post / "torque_bob", start, level.component());
+        const auto cup = loads_since(post / "torque_cup", start, level.component());
+        if (bob.empty() || cup.empty())
+            break;
+        const double torque = -factor * bob.back().value;
+        const double rest = std::abs(torque - factor * cup.back().value);
+        const double earlier = -factor * bob[bob.size() * 4 / 5].value;
+        result.torque.push_back(torque);
+        result.unsettled.push_back(std::max(rest, std::abs(torque - earlier)));
+        result.steps += static_cast<long>(bob.size());
+        if (torque != 0.0)
+            worst = std::max(worst, rest / std::abs(torque));
+    }
+    if (result.torque.size() == rows)
+        result.imbalance = worst;
+}
+
+} // namespace
+
+bool row_is_finished(const LevelTask& task, std::size_t row) {
+    const std::string end =
+        fmt::format("{}", (row + 1) * static_cast<std::size_t>(task.plan.iterations));
+    std::error_code missing;
+    return fs::exists(task.folder / end / "U", missing) ||
+           fs::exists(task.folder / "processor0" / end / "U", missing);
+}
+
+LevelResult read_results(const LevelTask& task, const LevelCase& level) {
+    LevelResult result;
+    result.cells = level.mesh().mesh.cells.size();
+    result.chord_error = level.chord_error();
+    if (task.plan.steady)
+        read_steady(task, level, result);
+    else
+        read_in_time(task, level, result);
+    const auto not_finite = std::ranges::find_if_not(
+        result.torque, [](double torque) { return std::isfinite(torque); });
+    if (not_finite != result.torque.end()) {
+        result.failure = fmt::format("OpenFOAM's torque is not a number from row {} on.",
+                                     not_finite - result.torque.begin() + 1);
+        result.unsettled.resize(static_cast<std::size_t>(not_finite - result.torque.begin()));
+        result.torque.erase(not_finite, result.torque.end());
+        result.imbalance.reset();
+    }
+    return result;
+}
+
+} // namespace searle::solvers::openfoam

@@ -1,0 +1,221 @@
+#include "solvers/openfoam/level_run.hpp"
+
+#include "solvers/openfoam/case_folder.hpp"
+#include "solvers/openfoam/child_process.hpp"
+#include "solvers/openfoam/level_reading.hpp"
+#include "solvers/openfoam/log_tail.hpp"
+#include "solvers/unsuitable_scene.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace searle::solvers::openfoam {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+/// The programs of one level, one after the other.
+class LevelPrograms {
+public:
+    LevelPrograms(const LevelTask& task, const LevelCase& level, const ProgressSink& progress)
+        : task_(task), level_(level), progress_(progress) {}
+
+    /// Runs to the end or until something stops it; what happened is in `result`.
+    void run(LevelResult& result) {
+        if (is_parallel() && !fs::exists(task_.folder / "processor0"))
+            decompose();
+        if (task_.plan.steady)
+            run_rows(result);
+        else
+            run_in_time(result);
+        if (is_parallel() && result.failure.empty())
+            (void)start({"reconstructPar", "-latestTime"}, "reconstructPar");
+    }
+
+private:
+    [[nodiscard]] bool is_parallel() const { return task_.scene.solver.processors > 1; }
+    [[nodiscard]] std::string application() const {
+        return std::string(name_of(task_.plan.application));
+    }
+    [[nodiscard]] fs::path log() const { return task_.folder / ("log." + application()); }
+    /// Where the newest fields stand.
+    [[nodiscard]] fs::path fields_folder() const {
+        return is_parallel() ? task_.folder / "processor0" : task_.folder;
+    }
+
+    int start(std::vector<std::string> command, const std::string& stage) {
+        return run_program({.command = std::move(command),
+                            .folder = task_.folder,
+                            .log = task_.folder / ("log." + stage),
+                            .project = task_.installation.project},
+                           [this] { watch(); });
+    }
+
+    void decompose() {
+        const auto cells = level_.mesh().mesh.cells.size();
+        if (cells < static_cast<std::size_t>(task_.scene.solver.processors))
+            throw UnsuitableScene(
+                fmt::format("solver.processors = {}: the coarsest mesh has {} cells; at most one "
+                            "process a cell",
+                            task_.scene.solver.processors, cells));
+        if (start({"decomposePar"}, "decomposePar") != 0)
+            throw UnsuitableScene(fmt::format("decomposePar failed: {}",
+                                              (task_.folder / "log.decomposePar").string()));
+    }
+
+    [[nodiscard]] std::vector<std::string> solver_command() const {
+        if (!is_parallel())
+            return {application()};
+        return {"mpirun",      "--oversubscribe",
+                "-np",         fmt::format("{}", task_.scene.solver.processors),
+                application(), "-parallel"};
+    }
+
+    void run_in_time(LevelResult& result) {
+        set_control(task_.folder, "stopAt", "endTime");
+        const double end = end_time(level_.facts());
+        const std::vector<std::string> times = times_in(fields_folder());
+        if (!times.empty() && std::stod(times.back()) > end - 0.5 * level_.facts().time_step)
+            return;
+        note_end(start(solver_command(), application()), result);
+    }
+
+    void run_rows(LevelResult& result) {
+        set_control(task_.folder, "stopAt", "endTime");
+        const auto rows = task_.plan.speeds.speeds.size();
+        for (row_ = 0; row_ < rows && !result.interrupted && result.failure.empty(); ++row_) {
+            if (row_is_finished(task_, row_))
+                continue;
+            const std::string end =
+                fmt::format("{}", (row_ + 1) * static_cast<std::size_t>(task_.plan.iterations));
+            set_control(task_.folder, "endTime", end);
+            note_end(start(solver_command(), application()), result);
+            if (result.interrupted || !result.failure.empty())
+                return;
+            settle_row(end);
+        }
+    }
+
+    /// A row that converged early stands where the next one starts.
+    void settle_row(const std::string& end) {
+        for (int part = 0; part < task_.scene.solver.processors; ++part) {
+            const fs::path place =
+                is_parallel() ? task_.folder / fmt::format("processor{}", part) : task_.folder;
+            const std::vector<std::string> times = times_in(place);
+            if (!times.empty() && times.back() != end)
+                fs::rename(place / times.back(), place / end);
+        }
+    }
+
+    void note_end(int code, LevelResult& result) const {
+        if (stop_asked_) {
+            result.interrupted = true;
+            return;
+        }
+        if (code == 0)
+            return;
+        const LogTail tail = log_tail(log());
+        std::string why = code == 136 || code == 8
+                              ? "a number grew beyond all bounds (floating-point exception)"
+                          : !tail.fatal.empty() ? tail.fatal
+                                                : fmt::format("exit code {}", code);
+        result.failure = fmt::format(
+            "{} ended at {} {:.6g}{}: {}. A shorter solver.time_step or a "
+            "coarser mesh may hold it; its log: {}",
+            application(), task_.plan.steady ? "iteration" : "t =", tail.time.value_or(0.0),
+            tail.courant ? fmt::format(", Courant number {:.3g}", *tail.courant) : std::string{},
+            why, log().string());
+    }
+
+    /// Called while a program runs: tells how far it is, and stops it cleanly when asked to.
+    void watch() {
+        const auto now = Clock::now();
+        if (stop_asked_) {
+            if (now - *stop_asked_ > std::chrono::seconds(30))
+                throw Interrupted();
+            return;
+        }
+        try {
+            if (now - last_look_ > std::chrono::milliseconds(250)) {
+                last_look_ = now;
+                look();
+            }
+            progress_(fraction_, stage_);
+        } catch (const Interrupted&) {
+            // The solver writes the step it is in and ends: a later run goes on from there.
+            set_control(task_.folder, "stopAt", "writeNow");
+            stop_asked_ = now;
+        }
+    }
+
+    void look() {
+        const LogTail tail = log_tail(log());
+        const double done = tail.time.value_or(0.0);
+        fraction_ = std::clamp(done / end_time(level_.facts()), 0.0, 1.0);
+        stage_ =
+            task_.plan.steady
+                ? fmt::format("{}, {} cells: row {}, iteration {:.0f}", application(),
+                              level_.mesh().mesh.cells.size(), row_ + 1,
+                              done - static_cast<double>(row_) * task_.plan.iterations)
+                : fmt::format("{}, {} cells: t = {:.4g} s, Courant number {:.2g}", application(),
+                              level_.mesh().mesh.cells.size(), done, tail.courant.value_or(0.0));
+    }
+
+    const LevelTask& task_;
+    const LevelCase& level_;
+    const ProgressSink& progress_;
+    std::size_t row_ = 0;
+    double fraction_ = 0.0;
+    std::string stage_ = "openfoam";
+    Clock::time_point last_look_ = Clock::now();
+    std::optional<Clock::time_point> stop_asked_;
+};
+
+bool is_there(const fs::path& folder) { return fs::exists(folder / "system" / "controlDict"); }
+
+} // namespace
+
+void prepare_level(const LevelTask& task) {
+    if (!is_there(task.folder)) {
+        const LevelCase level(task);
+        write_case(task.folder, level.facts());
+    }
+}
+
+LevelResult run_level(const LevelTask& task, const ProgressSink& progress) {
+    const LevelCase level(task);
+    if (!is_there(task.folder)) {
+        write_case(task.folder, level.facts());
+    } else if (const auto changed = changed_files(task.folder, level.facts()); !changed.empty()) {
+        throw UnsuitableScene(fmt::format(
+            "{}: {} {} not what this case writes; going on from there would mix two cases. "
+            "--force starts anew; searle collect reads a case that was changed on purpose",
+            task.folder.string(), fmt::join(changed, ", "), changed.size() == 1 ? "is" : "are"));
+    }
+    LevelResult ran;
+    LevelPrograms(task, level, progress).run(ran);
+    LevelResult result = read_results(task, level);
+    result.interrupted = ran.interrupted;
+    if (!ran.failure.empty())
+        result.failure = ran.failure;
+    return result;
+}
+
+LevelResult read_level(const LevelTask& task) {
+    const LevelCase level(task);
+    LevelResult result = read_results(task, level);
+    if (const auto changed = changed_files(task.folder, level.facts()); !changed.empty())
+        result.notes.push_back(fmt::format("{}: {} {} changed since searle wrote {}; the result is "
+                                           "of the case as it was run.",
+                                           task.folder.string(), fmt::join(changed, ", "),
+                                           changed.size() == 1 ? "was" : "were",
+                                           changed.size() == 1 ? "it" : "them"));
+    return result;
+}
+
+} // namespace searle::solvers::openfoam

@@ -1,0 +1,208 @@
+#include "solvers/openfoam/openfoam_solver.hpp"
+
+#include "solvers/openfoam/level_run.hpp"
+#include "solvers/row_errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace searle::solvers::openfoam {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Time of a row, s, and the drive's speed there.
+std::pair<double, double> moment_of(const Plan& plan, std::size_t row) {
+    return {plan.rows[row].time, plan.rows[row].speed};
+}
+
+/// PISO alone lags behind the turn of the velocity across a wedge by a step: first order in time.
+bool is_second_order(const FoamPlan& plan) {
+    return plan.application == FoamApplication::pimple_foam ||
+           plan.application == FoamApplication::simple_foam;
+}
+
+/// The rows of the last level with the error that the level before it tells.
+rheometry::TorqueHistory history_of(const Scene& scene, const Plan& plan, const FoamPlan& foam,
+                                    const LevelResult& last, const LevelResult* before) {
+    rheometry::TorqueHistory history;
+    const double share = is_second_order(foam) ? 1.0 : 3.0;
+    for (std::size_t row = 0; row < last.torque.size(); ++row) {
+        const auto [time, speed] = moment_of(plan, row);
+        const radial::SteadyInstrumentFlow steady =
+            radial::steady_instrument_flow(scene.instrument, scene.fluid.law, speed);
+        const double torque = last.torque[row];
+        double error = std::abs(torque);
+        if (before != nullptr && row < before->torque.size()) {
+            // Two levels may cross in one row: a neighbour's difference counts, too.
+            double difference = 0.0;
+            const std::size_t first = row == 0 ? 0 : row - 1;
+            const std::size_t end = std::min({row + 2, last.torque.size(), before->torque.size()});
+            for (std::size_t at = first; at < end; ++at) {
+                const double scale = last.torque[at] == 0.0 ? 0.0 : torque / last.torque[at];
+                difference = std::max(difference,
+                                      std::abs((last.torque[at] - before->torque[at]) *
+                                               (at == row ? 1.0 : std::min(1.0, std::abs(scale)))));
+            }
+            error = share * difference + last.unsettled[row] +
+                    std::abs(torque) * (last.chord_error + foam.cap_error[row]);
+        }
+        if (!foam.steady && last.imbalance && *last.imbalance > balance_limit)
+            error = std::max(error, *last.imbalance * std::abs(torque));
+        history.rows.push_back({.time = time,
+                                .speed = speed,
+                                .torque = torque,
+                                .torque_error = error,
+                                .steady_torque = steady.torque,
+                                .yield_radius = steady.yield_radius,
+                                .rotor_wall_rate = steady.rotor_wall_rate});
+    }
+    return history;
+}
+
+/// Levels so far, coarsest first, and the report that they make.
+class Levels {
+public:
+    Levels(const Scene& scene, const Plan& plan, const FoamPlan& foam)
+        : scene_(scene), plan_(plan), foam_(foam) {
+        report_.transient = !foam.steady;
+    }
+
+    void add(LevelResult level) {
+        results_.push_back(std::move(level));
+        const LevelResult& last = results_.back();
+        report_.linear_solves += last.steps;
+        if (!is_complete(last) && results_.size() > 1 &&
+            last.torque.size() < results_.front().torque.size())
+            results_.pop_back(); // the level before it has more to say
+        else
+            take_last();
+    }
+
+    [[nodiscard]] bool meets_accuracy() const {
+        return results_.size() > 1 && report_.worst_relative_error <= scene_.solver.accuracy;
+    }
+
+    /// Makes the report of what is there; `note`: how it ended, empty where all went well.
+    radial::RadialReport report(bool interrupted, const std::string& failure) {
+        report_.interrupted = interrupted;
+        report_.refinements = static_cast<int>(results_.size());
+        if (!failure.empty())
+            report_.notes.push_back(failure);
+        if (results_.size() == 1 && !interrupted)
+            report_.notes.emplace_back(
+                "Only one level was solved, so nothing tells its error: 100 % is claimed.");
+        for (const std::string& note :
+             results_.empty() ? std::vector<std::string>{} : results_.back().notes)
+            report_.notes.push_back(note);
+        const bool unbalanced = note_imbalance();
+        report_.reached = failure.empty() && !unbalanced && meets_accuracy() &&
+                          report_.history.rows.size() == plan_.rows.size();
+        return std::move(report_);
+    }
+
+    [[nodiscard]] bool is_empty() const { return results_.empty() || report_.history.rows.empty(); }
+
+private:
+    [[nodiscard]] bool is_complete(const LevelResult& level) const {
+        return level.torque.size() == plan_.rows.size();
+    }
+
+    void take_last() {
+        const LevelResult& last = results_.back();
+        const LevelResult* before = results_.size() > 1 ? &results_[results_.size() - 2] : nullptr;
+        report_.history = history_of(scene_, plan_, foam_, last, before);
+        report_.worst_relative_error = worst_relative_error(report_.history.rows);
+        report_.elements = static_cast<int>(last.cells);
+        report_.unknowns = static_cast<long>(4 * last.cells);
+        report_.time_steps = foam_.steady ? 0 : last.steps;
+        report_.worst_torque_imbalance = last.imbalance.value_or(0.0);
+    }
+
+    bool note_imbalance() {
+        if (report_.worst_torque_imbalance <= balance_limit)
+            return false;
+        std::string why =
+            "A finer mesh, a shorter solver.time_step or more iterations may mend it.";
+        if (foam_.application == FoamApplication::non_newtonian_ico_foam)
+            why = "This is the known defect of this package's nonNewtonianIcoFoam, whose explicit "
+                  "term acts on every second cell only; no refinement mends it. pimpleFoam and "
+                  "pisoFoam are right.";
+        report_.notes.push_back(fmt::format(
+            "The torques on bob and cup differ by {:.2g} % more than the fluid's angular momentum "
+            "accounts for (limit {:.2g} %). {}",
+            100.0 * report_.worst_torque_imbalance, 100.0 * balance_limit, why));
+        return true;
+    }
+
+    const Scene& scene_;
+    const Plan& plan_;
+    const FoamPlan& foam_;
+    std::vector<LevelResult> results_;
+    radial::RadialReport report_;
+};
+
+} // namespace
+
+fs::path level_folder(const fs::path& engine_folder, int level) {
+    return engine_folder / fmt::format("level-{}", level + 1);
+}
+
+void write_levels(const Scene& scene, const FoamPlan& plan, const fs::path& engine_folder,
+                  const Installation& installation) {
+    for (int level = 0; level < 2; ++level)
+        prepare_level({scene, plan, level, level_folder(engine_folder, level), installation});
+}
+
+radial::RadialReport solve_with_openfoam(const Scene& scene, const Plan& plan,
+                                         const fs::path& engine_folder,
+                                         const Installation& installation,
+                                         const ProgressSink& progress) {
+    const FoamPlan foam = plan_foam(scene, plan);
+    Levels levels(scene, plan, foam);
+    // Each level takes four times as long as the one before, or eight.
+    const int expected = std::min(foam.levels, 2);
+    for (int level = 0; level < foam.levels; ++level) {
+        const ProgressSink sink = [&](double fraction, std::string_view stage) {
+            const double share = level + 1 < expected ? 0.2 : 0.8;
+            const double start = level + 1 < expected ? 0.0 : 0.2;
+            progress(std::min(1.0, start + share * fraction), stage);
+        };
+        LevelResult result =
+            run_level({scene, foam, level, level_folder(engine_folder, level), installation}, sink);
+        const bool interrupted = result.interrupted;
+        const std::string failure = result.failure;
+        if (!result.torque.empty() || levels.is_empty())
+            levels.add(std::move(result));
+        if (!failure.empty() && levels.is_empty())
+            throw OpenFoamFailed(failure);
+        if (interrupted || !failure.empty())
+            return levels.report(interrupted, failure);
+        if (levels.meets_accuracy())
+            break;
+    }
+    return levels.report(false, "");
+}
+
+radial::RadialReport collect_from_openfoam(const Scene& scene, const Plan& plan,
+                                           const fs::path& engine_folder,
+                                           const Installation& installation) {
+    const FoamPlan foam = plan_foam(scene, plan);
+    Levels levels(scene, plan, foam);
+    for (int level = 0; level < foam.levels; ++level) {
+        const fs::path folder = level_folder(engine_folder, level);
+        if (!fs::exists(folder / "system" / "controlDict"))
+            break;
+        LevelResult result = read_level({scene, foam, level, folder, installation});
+        if (!result.torque.empty())
+            levels.add(std::move(result));
+    }
+    if (levels.is_empty())
+        throw OpenFoamFailed(engine_folder.string() +
+                             ": no row was finished there; Allrun in each level's folder runs it");
+    return levels.report(false, "");
+}
+
+} // namespace searle::solvers::openfoam
