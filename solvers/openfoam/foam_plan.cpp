@@ -133,7 +133,13 @@ void choose_time(const Scene& scene, const Plan& plan, FoamPlan& foam) {
                                   0.1 * scene.solver.accuracy);
     const double step = common_step(foam.history);
     // A hundred steps at least over the whole; each row ends a step.
-    const double wanted = std::min(step / 2.0, foam.history.duration() / 100.0);
+    double wanted = std::min(step / 2.0, foam.history.duration() / 100.0);
+    if (!is_box(scene)) {
+        // Across a wedge the velocity turns with it; OpenFOAM takes that from the last outer
+        // correction, which converges as (angle turned in a step)^corrections.
+        constexpr double largest_angle = 0.4;
+        wanted = std::min(wanted, largest_angle / foam.history.fastest_speed());
+    }
     foam.coarsest_step = step / std::ceil(step / wanted * (1 - 1e-12));
     if (scene.solver.time_step) {
         foam.coarsest_step = std::ldexp(*scene.solver.time_step, foam.levels - 1);

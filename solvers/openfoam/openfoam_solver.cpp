@@ -1,6 +1,7 @@
 #include "solvers/openfoam/openfoam_solver.hpp"
 
 #include "solvers/openfoam/level_run.hpp"
+#include "solvers/openfoam/transport.hpp"
 #include "solvers/row_errors.hpp"
 
 #include <fmt/format.h>
@@ -18,43 +19,72 @@ std::pair<double, double> moment_of(const Plan& plan, std::size_t row) {
     return {plan.rows[row].time, plan.rows[row].speed};
 }
 
-/// PISO alone lags behind the turn of the velocity across a wedge by a step: first order in time.
-bool is_second_order(const FoamPlan& plan) {
-    return plan.application == FoamApplication::pimple_foam ||
-           plan.application == FoamApplication::simple_foam;
+/// What is left of the error on a level of what the level before had: 1/4 for a scheme of second
+/// order. PISO alone lags behind the turn of the velocity across a wedge by a step, and at a yield
+/// surface the stress has a kink: first order.
+double expected_decay(const Scene& scene, const FoamPlan& plan) {
+    const bool second_order = plan.application == FoamApplication::pimple_foam ||
+                              plan.application == FoamApplication::simple_foam;
+    return second_order && !needs_viscosity_cap(scene.fluid.law) ? 0.25 : 0.5;
 }
 
-/// The rows of the last level with the error that the level before it tells.
+/// Last levels, the finest first; the others may be missing.
+struct LastLevels {
+    const LevelResult& finest;
+    const LevelResult* before{};
+    const LevelResult* first{};
+};
+
+double difference(const LevelResult& fine, const LevelResult& coarse, std::size_t row) {
+    return std::abs(fine.torque[row] - coarse.torque[row]);
+}
+
+/// Error of a row by Richardson's estimate d q / (1 - q), d the last difference and q its decay
+/// from level to level, times 3: Roache's safety factor for an order that was not observed (1998,
+/// Verification and Validation in Computational Science and Engineering, chapter 5).
+double level_error(const LastLevels& levels, double expected_decay, std::size_t row) {
+    const double last = difference(levels.finest, *levels.before, row);
+    double decay = expected_decay;
+    if (levels.first != nullptr && row < levels.first->torque.size()) {
+        const double earlier = difference(*levels.before, *levels.first, row);
+        decay = std::clamp(earlier > 0.0 ? last / earlier : 1.0, 0.25, 0.75);
+    }
+    return 3.0 * last * decay / (1.0 - decay);
+}
+
+/// The rows of the last level with the error that the levels before it tell.
 rheometry::TorqueHistory history_of(const Scene& scene, const Plan& plan, const FoamPlan& foam,
-                                    const LevelResult& last, const LevelResult* before) {
+                                    const LastLevels& levels) {
     rheometry::TorqueHistory history;
-    const double share = is_second_order(foam) ? 1.0 : 3.0;
+    const LevelResult& last = levels.finest;
+    const double decay = expected_decay(scene, foam);
+    const std::size_t known =
+        levels.before == nullptr ? 0 : std::min(last.torque.size(), levels.before->torque.size());
     for (std::size_t row = 0; row < last.torque.size(); ++row) {
         const auto [time, speed] = moment_of(plan, row);
         const radial::SteadyInstrumentFlow steady =
             radial::steady_instrument_flow(scene.instrument, scene.fluid.law, speed);
         const double torque = last.torque[row];
         double error = std::abs(torque);
-        if (before != nullptr && row < before->torque.size()) {
-            // Two levels may cross in one row: a neighbour's difference counts, too.
-            double difference = 0.0;
-            const std::size_t first = row == 0 ? 0 : row - 1;
-            const std::size_t end = std::min({row + 2, last.torque.size(), before->torque.size()});
-            for (std::size_t at = first; at < end; ++at) {
-                const double scale = last.torque[at] == 0.0 ? 0.0 : torque / last.torque[at];
-                difference = std::max(difference,
-                                      std::abs((last.torque[at] - before->torque[at]) *
-                                               (at == row ? 1.0 : std::min(1.0, std::abs(scale)))));
-            }
-            error = share * difference + last.unsettled[row] +
-                    std::abs(torque) * (last.chord_error + foam.cap_error[row]);
+        if (row < known) {
+            error = level_error(levels, decay, row);
+            // Two levels may cross in one row of a history: a neighbour's relative error counts
+            // too.
+            for (std::size_t at = row == 0 ? 0 : row - 1;
+                 !foam.steady && at < std::min(row + 2, known); ++at)
+                error = std::max(error, level_error(levels, decay, at) *
+                                            std::min(1.0, std::abs(torque / last.torque[at])));
+            constexpr double margin =
+                1.5; // of chords, whose effect on the flow inside is not counted
+            error += last.unsettled[row] +
+                     std::abs(torque) * (margin * last.chord_error + foam.cap_error[row]);
         }
         if (!foam.steady && last.imbalance && *last.imbalance > balance_limit)
             error = std::max(error, *last.imbalance * std::abs(torque));
         history.rows.push_back({.time = time,
                                 .speed = speed,
                                 .torque = torque,
-                                .torque_error = error,
+                                .torque_error = std::isfinite(error) ? error : std::abs(torque),
                                 .steady_torque = steady.torque,
                                 .yield_radius = steady.yield_radius,
                                 .rotor_wall_rate = steady.rotor_wall_rate});
@@ -112,8 +142,11 @@ private:
 
     void take_last() {
         const LevelResult& last = results_.back();
-        const LevelResult* before = results_.size() > 1 ? &results_[results_.size() - 2] : nullptr;
-        report_.history = history_of(scene_, plan_, foam_, last, before);
+        const std::size_t count = results_.size();
+        report_.history = history_of(scene_, plan_, foam_,
+                                     {.finest = last,
+                                      .before = count > 1 ? &results_[count - 2] : nullptr,
+                                      .first = count > 2 ? &results_[count - 3] : nullptr});
         report_.worst_relative_error = worst_relative_error(report_.history.rows);
         report_.elements = static_cast<int>(last.cells);
         report_.unknowns = static_cast<long>(4 * last.cells);
