@@ -4,6 +4,7 @@
 #include "app/failures.hpp"
 #include "app/verb_check.hpp"
 #include "app/verb_collect.hpp"
+#include "app/verb_compare.hpp"
 #include "app/verb_convert.hpp"
 #include "app/verb_doctor.hpp"
 #include "app/verb_ends.hpp"
@@ -48,6 +49,7 @@ public:
                         "reached,\n4 engine or model missing, 130 interrupted.");
         add_run();
         add_collect();
+        add_compare();
         add_plan();
         add_check();
         add_convert();
@@ -74,9 +76,7 @@ public:
 private:
     /// Verbs whose work this version cannot do.
     static constexpr std::pair<const char*, const char*> later_verbs[] = {
-        {"compare", "Solve a case on several engines"},
-        {"bench", "Run time against error"},
-        {"stress", "Numerical stability sweeps"}};
+        {"bench", "Run time against error"}, {"stress", "Numerical stability sweeps"}};
 
     template <class Options>
     CLI::App* add(const char* name, const char* purpose, const char* example,
@@ -145,6 +145,21 @@ private:
         add_path(app, "-o,--output", options->folder,
                  "Folder for the results; default DIR without .openfoam", "DIR");
         app->add_flag("--quiet", options->quiet, "Print nothing but errors");
+        app->add_flag("--force", options->replace, "Replace results that are there already");
+    }
+    void add_compare() {
+        auto options = std::make_shared<CompareOptions>();
+        CLI::App* app =
+            add("compare", "Solve a case on several engines, side by side",
+                "cases/single-gap-water.toml --engines native,openfoam", options, compare);
+        add_path(app, "CASE", options->case_file, "Case file (TOML)")->required();
+        app->add_option("--engines", options->engines, "Engines, with commas")
+            ->capture_default_str()
+            ->type_name("NAMES");
+        add_path(app, "-o,--output", options->folder,
+                 "Folder for the results; default results/<name of the case file>.compare", "DIR");
+        add_overrides(app, options->overrides);
+        app->add_flag("--quiet", options->quiet, "Print the table alone");
         app->add_flag("--force", options->replace, "Replace results that are there already");
     }
     void add_plan() {

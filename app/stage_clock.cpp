@@ -2,6 +2,7 @@
 
 #include <ctime>
 #include <numeric>
+#include <sys/resource.h>
 
 namespace searle::app {
 namespace {
@@ -12,14 +13,23 @@ double seconds(clockid_t clock) {
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+/// Of this process and of the programs that it ran and waited for.
+double processor_seconds() {
+    rusage children{};
+    getrusage(RUSAGE_CHILDREN, &children);
+    const auto of = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    return seconds(CLOCK_PROCESS_CPUTIME_ID) + of(children.ru_utime) + of(children.ru_stime);
+}
+
 } // namespace
 
-StageClock::StageClock()
-    : wall_start_(seconds(CLOCK_MONOTONIC)), cpu_start_(seconds(CLOCK_PROCESS_CPUTIME_ID)) {}
+StageClock::StageClock() : wall_start_(seconds(CLOCK_MONOTONIC)), cpu_start_(processor_seconds()) {}
 
 void StageClock::end_stage(std::string name) {
     const double wall = seconds(CLOCK_MONOTONIC);
-    const double cpu = seconds(CLOCK_PROCESS_CPUTIME_ID);
+    const double cpu = processor_seconds();
     stages_.push_back({std::move(name), wall - wall_start_, cpu - cpu_start_});
     wall_start_ = wall;
     cpu_start_ = cpu;

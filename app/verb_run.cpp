@@ -1,10 +1,8 @@
 #include "app/verb_run.hpp"
 
-#include "app/checkpoint_file.hpp"
+#include "app/case_runs.hpp"
 #include "app/engine_folder.hpp"
 #include "app/exit_code.hpp"
-#include "app/interrupt.hpp"
-#include "app/progress_line.hpp"
 #include "app/result_message.hpp"
 #include "app/run_summary.hpp"
 #include "app/sweep_files.hpp"
@@ -22,61 +20,6 @@ namespace fs = std::filesystem;
 
 fs::path folder_for(const RunOptions& options) {
     return options.folder ? *options.folder : fs::path("results") / options.case_file.stem();
-}
-
-/// Where a suspension's run is kept safe until the result folder is written.
-fs::path checkpoint_of(const Case& source, const fs::path& folder, bool sweeps) {
-    return folder.string() + (sweeps ? "." + source.name : "") + ".checkpoint.h5";
-}
-
-/// Solves a case; one with particles goes on from its checkpoint, and is kept in it.
-SolvedCase solve_safely(PlannedCase planned, const solvers::ProgressSink& sink,
-                        const fs::path& checkpoint, const fs::path& engine_folder,
-                        const RunOptions& options) {
-    if (planned.source.scene.solver.engine == solvers::Engine::openfoam) {
-        (void)installation_for(planned.source); // before anything is written
-        if (open_engine_folder(engine_folder, planned.source, options.replace) && !options.quiet)
-            std::fputs(fmt::format("searle: goes on from {}\n", engine_folder.string()).c_str(),
-                       stderr);
-        return solve_case(std::move(planned), sink,
-                          {.checkpointing = {}, .engine_folder = engine_folder});
-    }
-    if (!planned.source.scene.particles)
-        return solve_case(std::move(planned), sink);
-    const CheckpointKeeper keeper(checkpoint, planned.source.hash, options.replace);
-    if (keeper.goes_on() && !options.quiet)
-        std::fputs(fmt::format("searle: goes on from {}\n", checkpoint.string()).c_str(), stderr);
-    SolvedCase solved = solve_case(std::move(planned), sink,
-                                   {.checkpointing = keeper.checkpointing(), .engine_folder = {}});
-    if (!keeper.trouble().empty())
-        solved.solution.notes.push_back(keeper.trouble());
-    return solved;
-}
-
-/// Solves case after case until one was interrupted; runs without a finished row are left out.
-std::vector<SolvedCase> solve_all(std::vector<PlannedCase> planned, const RunOptions& options) {
-    const bool quiet = options.quiet;
-    const bool sweeps = planned.size() > 1;
-    const fs::path folder = folder_for(options);
-    const InterruptWatch watch;
-    ProgressLine line(quiet);
-    const solvers::ProgressSink sink = [&](double fraction, std::string_view stage) {
-        if (watch.requested())
-            throw solvers::Interrupted();
-        line.show(fraction, stage);
-    };
-    std::vector<SolvedCase> solved;
-    for (std::size_t i = 0; i < planned.size() && !watch.requested(); ++i) {
-        if (planned.size() > 1)
-            line.set_prefix(fmt::format("run {} of {}: ", i + 1, planned.size()));
-        const fs::path checkpoint = checkpoint_of(planned[i].source, folder, sweeps);
-        const fs::path engine_folder = engine_folder_for(planned[i].source, folder, sweeps);
-        SolvedCase each =
-            solve_safely(std::move(planned[i]), sink, checkpoint, engine_folder, options);
-        if (!each.rheogram.points.empty())
-            solved.push_back(std::move(each));
-    }
-    return solved;
 }
 
 int exit_code_for(Completeness completeness) {
@@ -112,20 +55,6 @@ void tell_shortfall(Completeness completeness, const fs::path& folder) {
         tell(fmt::format("searle: interrupted; what was finished: {}\n", folder.string()));
 }
 
-/// The results are written: what kept the finished runs safe goes.
-void remove_checkpoints(const std::vector<SolvedCase>& solved, const fs::path& folder,
-                        bool sweeps) {
-    for (const SolvedCase& each : solved)
-        if (each.source.scene.particles && !each.solution.interrupted) {
-            std::error_code ignored;
-            fs::remove(checkpoint_of(each.source, folder, sweeps), ignored);
-        }
-}
-
-} // namespace
-
-namespace {
-
 /// Writes OpenFOAM's cases without running them.
 int write_cases(const std::vector<Case>& cases, const RunOptions& options) {
     for (const Case& each : cases) {
@@ -160,13 +89,14 @@ int run(const RunOptions& options) {
         check_run_names(cases);
     const fs::path folder = folder_for(options);
     check_output_place(folder, options.replace);
+    const RunPlace place{folder, options.replace, options.quiet};
 
     std::vector<PlannedCase> planned;
     for (const Case& each : cases) {
         planned.push_back(plan_case(each, clock));
         clock = StageClock();
     }
-    const std::vector<SolvedCase> solved = solve_all(std::move(planned), options);
+    const std::vector<SolvedCase> solved = solve_all(std::move(planned), place);
     if (solved.empty()) {
         tell("searle: interrupted before the first point; nothing was written\n");
         return ExitCode::interrupted;
@@ -174,7 +104,7 @@ int run(const RunOptions& options) {
     if (cases.size() == 1) {
         const RunRecord record = record_of(solved.front(), present_time());
         write_result_folder(folder, files_of(record, ""), options.replace);
-        remove_checkpoints(solved, folder, false);
+        remove_checkpoints(solved, place, false);
         if (!options.quiet)
             tell(result_message(record, folder));
         else
@@ -183,7 +113,7 @@ int run(const RunOptions& options) {
     }
     const SweepRecord record = sweep_record(solved, cases, present_time());
     write_result_folder(folder, files_of(record), options.replace);
-    remove_checkpoints(solved, folder, true);
+    remove_checkpoints(solved, place, true);
     if (!options.quiet)
         tell(result_message(record, folder));
     else

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <system_error>
 #include <unistd.h>
 
@@ -32,7 +33,30 @@ void write_text(const fs::path& file, const std::string& text) {
             std::error_code(errno == 0 ? EIO : errno, std::generic_category()));
 }
 
-/// Name and value of each time folder.
+/// OpenFOAM ends each file that it writes with a line of stars.
+bool is_whole(const fs::path& file) {
+    constexpr std::streamoff tail = 200;
+    std::ifstream stream(file, std::ios::binary);
+    stream.seekg(0, std::ios::end);
+    const std::streamoff length = stream.tellg();
+    if (length <= 0)
+        return false;
+    stream.seekg(std::max<std::streamoff>(0, length - tail));
+    const std::string end{std::istreambuf_iterator<char>(stream), {}};
+    return end.find("// ****") != std::string::npos;
+}
+
+bool is_whole_time(const fs::path& folder) {
+    for (const char* needed : {"U", "p", "phi"})
+        if (!fs::exists(folder / needed))
+            return false;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+        if (entry.is_regular_file() && !is_whole(entry.path()))
+            return false;
+    return true;
+}
+
+/// Name and value of each folder whose name is a number, in order.
 std::vector<std::pair<double, std::string>> time_folders(const fs::path& folder) {
     std::vector<std::pair<double, std::string>> times;
     std::error_code missing;
@@ -40,8 +64,7 @@ std::vector<std::pair<double, std::string>> time_folders(const fs::path& folder)
         const std::string name = entry.path().filename().string();
         double value{};
         const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), value);
-        if (error == std::errc{} && end == name.data() + name.size() &&
-            fs::exists(entry.path() / "U", missing))
+        if (error == std::errc{} && end == name.data() + name.size() && entry.is_directory())
             times.emplace_back(value, name);
     }
     std::ranges::sort(times);
@@ -97,8 +120,26 @@ void set_control(const fs::path& folder, const std::string& key, const std::stri
 std::vector<std::string> times_in(const fs::path& folder) {
     std::vector<std::string> names;
     for (const auto& [value, name] : time_folders(folder))
-        names.push_back(name);
+        if (fs::exists(folder / name / "U"))
+            names.push_back(name);
     return names;
+}
+
+void remove_half_written_times(const std::vector<fs::path>& places) {
+    std::set<std::string> broken;
+    for (const fs::path& place : places)
+        for (const auto& [value, name] : time_folders(place))
+            if (value > 0.0 && !is_whole_time(place / name))
+                broken.insert(name);
+    // What only some processes have written is broken as well.
+    for (const fs::path& place : places)
+        for (const auto& [value, name] : time_folders(place))
+            if (std::ranges::any_of(
+                    places, [&name](const fs::path& other) { return !fs::exists(other / name); }))
+                broken.insert(name);
+    for (const fs::path& place : places)
+        for (const std::string& name : broken)
+            fs::remove_all(place / name);
 }
 
 std::vector<geometry::Point> velocity_at(const fs::path& folder, const std::string& time,

@@ -21,6 +21,11 @@ void set_control(const std::filesystem::path& folder, const std::string& key,
 /// @param folder  a case, or one of its processor folders
 [[nodiscard]] std::vector<std::string> times_in(const std::filesystem::path& folder);
 
+/// Removes the time folders that a killed program left half written, so that OpenFOAM, which starts
+/// from the latest folder, finds a whole one. 0 always stays.
+/// @param places  the case, or its processor folders: what is broken in one goes in all
+void remove_half_written_times(const std::vector<std::filesystem::path>& places);
+
 /// Velocity of each cell at a time; empty where the file is missing or cannot be read.
 [[nodiscard]] std::vector<geometry::Point> velocity_at(const std::filesystem::path& folder,
                                                        const std::string& time, std::size_t cells);

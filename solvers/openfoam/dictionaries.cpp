@@ -215,7 +215,7 @@ std::string schemes_text(const CaseFacts& facts) {
 }
 
 std::string solution_text(const CaseFacts& facts) {
-    const bool has_section = geometry::has_ends(facts.scene.instrument);
+    const bool has_section = geometry::has_ends(facts.scene.instrument) || facts.plan.vortices;
     // The two gaps of a double gap are two systems, of which one has no reference pressure:
     // singular yet consistent, which conjugate gradients can take and an incomplete factorisation
     // cannot.
@@ -242,7 +242,8 @@ std::string solution_text(const CaseFacts& facts) {
                facts.plan.steady ? "0.01" : "0", facts.plan.steady ? "0.01" : "0") +
            fmt::format(
                "PISO\n{{\n    nCorrectors     3;\n{0}}}\n\n"
-               "PIMPLE\n{{\n    nOuterCorrectors {1};\n    nCorrectors     2;\n{0}}}\n\n"
+               "PIMPLE\n{{\n    consistent      {4};\n    nOuterCorrectors {1};\n"
+               "    nCorrectors     2;\n{0}}}\n\n"
                "SIMPLE\n{{\n    consistent      yes;\n{0}"
                "    residualControl\n    {{\n        U               {2};\n    }}\n}}\n\n"
                "relaxationFactors\n{{\n    equations\n    {{\n        U               {3};\n"
@@ -250,7 +251,9 @@ std::string solution_text(const CaseFacts& facts) {
                algorithm, facts.plan.outer_corrections, "1e-7",
                !facts.plan.steady ? "1"
                : has_section      ? "0.9"
-                                  : "0.99");
+                                  : "0.99",
+               // SIMPLEC's correction holds steps far beyond the cells' diffusion times.
+               has_section ? "yes" : "no");
 }
 
 std::string decomposition_text(const CaseFacts& facts) {

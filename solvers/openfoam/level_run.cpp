@@ -29,6 +29,7 @@ public:
     void run(LevelResult& result) {
         if (is_parallel() && !fs::exists(task_.folder / "processor0"))
             decompose();
+        remove_half_written_times(field_places());
         if (task_.plan.steady)
             run_rows(result);
         else
@@ -46,6 +47,16 @@ private:
     /// Where the newest fields stand.
     [[nodiscard]] fs::path fields_folder() const {
         return is_parallel() ? task_.folder / "processor0" : task_.folder;
+    }
+
+    /// Where fields stand: the case, or each processor's folder.
+    [[nodiscard]] std::vector<fs::path> field_places() const {
+        if (!is_parallel())
+            return {task_.folder};
+        std::vector<fs::path> places;
+        for (int part = 0; part < task_.scene.solver.processors; ++part)
+            places.push_back(task_.folder / fmt::format("processor{}", part));
+        return places;
     }
 
     int start(std::vector<std::string> command, const std::string& stage) {
@@ -103,9 +114,7 @@ private:
 
     /// A row that converged early stands where the next one starts.
     void settle_row(const std::string& end) {
-        for (int part = 0; part < task_.scene.solver.processors; ++part) {
-            const fs::path place =
-                is_parallel() ? task_.folder / fmt::format("processor{}", part) : task_.folder;
+        for (const fs::path& place : field_places()) {
             const std::vector<std::string> times = times_in(place);
             if (!times.empty() && times.back() != end)
                 fs::rename(place / times.back(), place / end);

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "app/solved_case.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace searle::app {
+
+/// Where runs stand, and what becomes of what an earlier one left there.
+struct RunPlace {
+    std::filesystem::path folder; ///< the result folder
+    bool replace = false;         ///< start anew rather than go on
+    bool quiet = false;
+};
+
+/// Solves case after case until one was interrupted; runs without a finished row are left out. Each
+/// is kept safe beside the result folder: a suspension in a checkpoint, OpenFOAM's cases in the
+/// engine's folder.
+[[nodiscard]] std::vector<SolvedCase> solve_all(std::vector<PlannedCase> planned,
+                                                const RunPlace& place);
+
+/// The results are written: what kept the finished runs safe goes. OpenFOAM's cases stay, to be
+/// looked at.
+void remove_checkpoints(const std::vector<SolvedCase>& solved, const RunPlace& place, bool sweeps);
+
+} // namespace searle::app
