@@ -76,6 +76,22 @@ void check_solver(const CaseAsWritten& written, Findings& findings) {
                                "secondary_flow = \"auto\", or model = \"axisymmetric\"");
 }
 
+/// Settings that only OpenFOAM has. A resolved case holds their defaults, too.
+void check_openfoam(const CaseAsWritten& written, Findings& findings) {
+    const solvers::SolverSettings& solver = written.solver;
+    if (solver.engine == solvers::Engine::openfoam)
+        return;
+    const std::pair<const char*, bool> settings[] = {
+        {"solver.application", solver.application.has_value()},
+        {"solver.processors", solver.processors != 1},
+        {"solver.time_step", solver.time_step.has_value()},
+        {"solver.viscosity_cap", solver.viscosity_cap.has_value()}};
+    for (const auto& [key, is_set] : settings)
+        if (is_set)
+            findings.contradiction({key, "solver.engine"}, "the native engine has no such setting",
+                                   "engine = \"openfoam\" beside it");
+}
+
 void check_output(const CaseAsWritten& written, Findings& findings) {
     // A resolved case holds the default too.
     if (written.output.field_rows != solvers::OutputSettings{}.field_rows && !written.output.fields)
@@ -99,6 +115,7 @@ void add_case_checks(casefile::Keys<CaseAsWritten>& keys) {
     keys.check(check_conversion);
     keys.check(check_speeds);
     keys.check(check_solver);
+    keys.check(check_openfoam);
     keys.check(check_output);
     keys.check(check_suspension);
 }

@@ -70,6 +70,21 @@ std::string rotor_condition(const CaseFacts& facts) {
                        margin, rows);
 }
 
+/// Nothing but the swirl (a box: the velocity along the flow) can be found on this mesh: it has one
+/// cell along the axis and one along the flow.
+bool has_swirl_alone(const CaseFacts& facts) {
+    bool is_flat = false;
+    bool is_wedge = false;
+    std::size_t along_flow = 0;
+    for (const geometry::Patch& patch : facts.mesh.patches) {
+        is_flat |= patch.kind == geometry::PatchKind::flat;
+        is_wedge |= patch.kind == geometry::PatchKind::wedge;
+        if (turns(patch))
+            along_flow += patch.count;
+    }
+    return is_flat && (is_wedge || (is_box(facts) && along_flow == 1));
+}
+
 /// The condition of a patch that is neither wall nor open, for every field.
 std::string_view geometric_condition(geometry::PatchKind kind) {
     switch (kind) {
@@ -215,7 +230,7 @@ std::string schemes_text(const CaseFacts& facts) {
 }
 
 std::string solution_text(const CaseFacts& facts) {
-    const bool has_section = geometry::has_ends(facts.scene.instrument) || facts.plan.vortices;
+    const bool has_section = !has_swirl_alone(facts);
     // The two gaps of a double gap are two systems, of which one has no reference pressure:
     // singular yet consistent, which conjugate gradients can take and an incomplete factorisation
     // cannot.

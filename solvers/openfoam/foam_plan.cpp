@@ -228,8 +228,12 @@ geometry::MeshSettings mesh_settings(const Scene& scene, const FoamPlan& plan, i
         if (!mesh.angular_cells)
             mesh.angular_cells = 1;
     } else {
-        if (!mesh.wedge_angle && !mesh.extent)
-            mesh.wedge_angle = 1.0 * degree;
+        if (!mesh.wedge_angle && !mesh.extent) {
+            if (scene.solver.model == Model::three_dimensional)
+                mesh.extent = geometry::MeshExtent::full;
+            else
+                mesh.wedge_angle = 1.0 * degree;
+        }
         if (!mesh.vertices &&
             mesh.cells.value_or(geometry::CellStyle::hexahedra) != geometry::CellStyle::tetrahedra)
             mesh.vertices = geometry::VertexRadius::face;

@@ -30,20 +30,23 @@ struct TransportText {
         return herschel_bulkley(law.yield_stress, law.consistency, law.flow_index);
     }
     std::string operator()(const flow::PowerLaw& law) const {
-        // A thickening fluid's viscosity falls to zero at rest, where no flow needs a bound.
+        // Of a thinning fluid the cap bounds it at rest; a thickening one's falls to zero there,
+        // and is kept above a part of 1e12 of its consistency.
+        const bool thins = law.flow_index < 1.0;
+        const double consistency = law.consistency / density;
         return fmt::format("transportModel  powerLaw;\n\nnu              {0:.17g};\n\n"
                            "powerLawCoeffs\n{{\n    nuMax       {0:.17g};\n"
                            "    nuMin       {1:.17g};\n    k           {2:.17g};\n"
                            "    n           {3:.17g};\n}}\n",
-                           cap, 1e-12 * cap, law.consistency / density, law.flow_index);
+                           thins ? cap : 1e12 * consistency, thins ? 0.0 : 1e-12 * consistency,
+                           consistency, law.flow_index);
     }
     std::string operator()(const flow::Casson& law) const {
         return fmt::format("transportModel  Casson;\n\nnu              {0:.17g};\n\n"
                            "CassonCoeffs\n{{\n    nuMax       {0:.17g};\n"
                            "    nuMin       {1:.17g};\n    tau0        {2:.17g};\n"
                            "    m           {3:.17g};\n}}\n",
-                           cap, 1e-12 * cap, law.yield_stress / density,
-                           law.plastic_viscosity / density);
+                           cap, 0.0, law.yield_stress / density, law.plastic_viscosity / density);
     }
     std::string operator()(const flow::CarreauYasuda& law) const {
         return fmt::format("transportModel  BirdCarreau;\n\nnu              {0:.17g};\n\n"

@@ -148,10 +148,8 @@ TEST_F(BadInput, set_with_a_wrong_key_or_value) {
 
 TEST_F(BadInput, engines_and_models_that_are_not_here) {
     const std::string din = std::string(SEARLE_SOURCE_DIR) + "/cases/din-bob-water.toml";
-    const std::vector<std::vector<std::string>> asks{
-        {"run", din, "--set", "solver.model=3d"},
-        {"run", water, "--set", "solver.engine=openfoam"},
-        {"run", water, "--set", "solver.model=3d"}};
+    const std::vector<std::vector<std::string>> asks{{"run", din, "--set", "solver.model=3d"},
+                                                     {"run", water, "--set", "solver.model=3d"}};
     for (const auto& words : asks) {
         const Outcome outcome = searle(words, folder.path());
         EXPECT_EQ(outcome.exit_code, 4) << words.back() << outcome.err;

@@ -100,12 +100,13 @@ TEST(case_round_trip, every_kind_of_drive_speed) {
 }
 
 TEST(case_round_trip, optional_sections) {
-    expect_round_trip(
-        assembled(geometries[3], fluids[3], protocols[1],
-                  "[conversion]\nend_factor = \"computed\"\n[solver]\naccuracy = \"0.013 "
-                  "%\"\nsecondary_flow = false\n"
-                  "model = \"3d\"\nengine = \"openfoam\"\n[output]\nfields = true\n"
-                  "[mesh]\ncells_across_gap = 20\nwedge_angle = \"5 deg\"\norder = 2\n"));
+    expect_round_trip(assembled(
+        geometries[3], fluids[3], protocols[1],
+        "[conversion]\nend_factor = \"computed\"\n[solver]\naccuracy = \"0.013 "
+        "%\"\nsecondary_flow = false\n"
+        "model = \"3d\"\nengine = \"openfoam\"\napplication = \"pisoFoam\"\nprocessors = 3\n"
+        "time_step = \"1.3 ms\"\nviscosity_cap = \"17 Pa.s\"\n[output]\nfields = true\n"
+        "[mesh]\ncells_across_gap = 20\nwedge_angle = \"5 deg\"\norder = 2\n"));
     expect_round_trip(assembled(
         geometries[4], fluids[0],
         "type = \"steps\"\nshear_rates = [\"7 1/s\"]\nhold_strain = 5.1\ndiscard_strain = 1.2\n",

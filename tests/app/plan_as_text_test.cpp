@@ -58,7 +58,7 @@ TEST(PlanAsJson, the_box_moves_its_wall_and_several_cases_are_a_list) {
 
 TEST(PlanAsJson, a_case_that_cannot_be_solved_has_no_expected_cost) {
     CasePlan plan = planned(single_gap);
-    plan.source.scene.solver.engine = solvers::Engine::openfoam;
+    plan.source.scene.solver.model = solvers::Model::three_dimensional;
     plan.plan = solvers::make_plan(plan.source.scene);
     const auto json = nlohmann::json::parse(plans_as_json({plan}));
     EXPECT_FALSE(json["can_be_solved"].get<bool>());

@@ -220,12 +220,19 @@ TEST(Plan, explicit_radial_model_of_a_din_bob_is_obeyed_with_a_warning) {
     }
 }
 
-TEST(Plan, engines_and_models_that_are_not_here_are_refused_with_a_way_out) {
+TEST(Plan, openfoam_says_which_program_mesh_and_step) {
     Scene scene = water_ramp();
     scene.solver.engine = Engine::openfoam;
-    EXPECT_FALSE(make_plan(scene).can_be_solved);
-    EXPECT_NE(make_plan(scene).model_reason.find("native"), std::string::npos);
-    scene.solver.engine = Engine::native;
+    const Plan plan = make_plan(scene);
+    EXPECT_TRUE(plan.can_be_solved);
+    EXPECT_EQ(plan.model, "openfoam pimpleFoam");
+    for (const char* part : {"outer corrections", "20 to 160 cells", "time steps"})
+        EXPECT_NE(plan.model_reason.find(part), std::string::npos) << plan.model_reason;
+    EXPECT_GT(plan.expected_seconds, 0.0);
+}
+
+TEST(Plan, models_that_are_not_here_are_refused_with_a_way_out) {
+    Scene scene = water_ramp();
     scene.solver.model = Model::three_dimensional;
     EXPECT_FALSE(make_plan(scene).can_be_solved);
     EXPECT_NE(make_plan(scene).model_reason.find("auto"), std::string::npos);

@@ -1,0 +1,216 @@
+#include "../app/running.hpp"
+#include "rheometry/rheogram_csv.hpp"
+#include "solvers/openfoam/installation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+// The whole way through the installed OpenFOAM, on scenes whose answer is known. Skipped where it
+// is not installed.
+
+namespace searle::app {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace testing;
+
+rheometry::Rheogram rheogram_in(const fs::path& folder) {
+    return rheometry::read_rheogram_csv(folder / "rheogram.csv").rheogram;
+}
+
+class OpenFoamEngine : public ::testing::Test {
+protected:
+    void SetUp() override {
+        if (!solvers::openfoam::find_installation())
+            GTEST_SKIP() << "OpenFOAM is not installed (package openfoam)";
+    }
+
+    /// Runs a case of cases/ with settings, in `folder`.
+    Outcome run_case(const std::string& name, const std::string& out,
+                     const std::vector<std::string>& settings) {
+        std::vector<std::string> words{"run", std::string(SEARLE_SOURCE_DIR) + "/cases/" + name,
+                                       "-o", out, "--quiet"};
+        for (const std::string& setting : settings) {
+            words.emplace_back("--set");
+            words.push_back(setting);
+        }
+        return run({.arguments = words, .directory = folder.path()});
+    }
+
+    TemporaryFolder folder;
+    const std::vector<std::string> coarse{"solver.engine=openfoam", "solver.accuracy=0.01",
+                                          "protocol.points=10"};
+};
+
+TEST_F(OpenFoamEngine, water_ramp_lies_within_its_errors_of_the_exact_series) {
+    const Outcome outcome = run_case("single-gap-water.toml", "water", coarse);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const rheometry::Rheogram rheogram = rheogram_in(folder / "water");
+    ASSERT_EQ(rheogram.points.size(), 10u);
+    // eta_app / eta at 35 s: series solution, 1.008559 (docs/radial.md).
+    const rheometry::RheogramPoint& last = rheogram.points.back();
+    const double error = std::abs(last.viscosity / 1.0016e-3 - 1.008559);
+    EXPECT_LT(error, last.stress_error / last.shear_stress + 1e-6);
+    EXPECT_LT(last.stress_error / last.shear_stress, 0.01);
+}
+
+TEST_F(OpenFoamEngine, error_bar_shrinks_with_the_square_of_the_cells) {
+    // Two levels each: the claimed error is the last difference, of second order in cells and step.
+    double before = 0.0;
+    for (const int cells : {10, 20, 40}) {
+        const std::string out = "cells" + std::to_string(cells);
+        (void)run_case("box-water.toml", out,
+                       {"solver.engine=openfoam", "protocol.points=8",
+                        "mesh.cells_across_gap=" + std::to_string(cells),
+                        "solver.time_step=" + std::to_string(4.0 / cells) + " s"});
+        const rheometry::RheogramPoint point = rheogram_in(folder / out).points.front();
+        // Exact: lag d^2/(3 nu) on the moving wall, and a start long gone by 4.4 s.
+        const double time = 35.0 / 8.0;
+        const double exact = 1.0 + 1e-6 / (3.0 * 1.0016e-3 / 998.2) / time;
+        const double error = std::abs(point.viscosity / 1.0016e-3 - exact);
+        EXPECT_LT(error, point.stress_error / point.shear_stress) << cells;
+        if (before > 0.0) {
+            EXPECT_GT(before / point.stress_error, 3.0) << cells;
+        }
+        before = point.stress_error;
+    }
+}
+
+TEST_F(OpenFoamEngine, steady_slurry_agrees_with_quadrature) {
+    const Outcome outcome = run_case("single-gap-slurry.toml", "slurry",
+                                     {"solver.engine=openfoam", "solver.accuracy=0.02",
+                                      "protocol.shear_rates=[\"10 1/s\", \"1000 1/s\"]",
+                                      "fluid.yield_stress=5 Pa", "fluid.consistency=0.5 Pa.s^n",
+                                      "fluid.flow_index=0.5", "conversion.definition=bob-wall"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    // R 14/15 mm: exact bob stresses (quadrature, peers' table of Herschel-Bulkley flows).
+    const double exact[] = {6.96519, 21.68992};
+    const rheometry::Rheogram rheogram = rheogram_in(folder / "slurry");
+    ASSERT_EQ(rheogram.points.size(), 2u);
+    for (std::size_t row = 0; row < 2; ++row)
+        EXPECT_NEAR(rheogram.points[row].shear_stress, exact[row],
+                    rheogram.points[row].stress_error);
+}
+
+TEST_F(OpenFoamEngine, two_processes_give_the_torque_of_one) {
+    ASSERT_EQ(run_case("single-gap-water.toml", "one", coarse).exit_code, 0);
+    std::vector<std::string> two = coarse;
+    two.emplace_back("solver.processors=2");
+    const Outcome outcome = run_case("single-gap-water.toml", "two", two);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto one = rheogram_in(folder / "one").points;
+    const auto other = rheogram_in(folder / "two").points;
+    for (std::size_t row = 0; row < one.size(); ++row)
+        EXPECT_NEAR(other[row].torque / one[row].torque, 1.0, 1e-6);
+}
+
+TEST_F(OpenFoamEngine, an_interrupted_run_goes_on_to_the_same_result) {
+    ASSERT_EQ(run_case("single-gap-water.toml", "whole", coarse).exit_code, 0);
+    std::vector<std::string> words{
+        "run", std::string(SEARLE_SOURCE_DIR) + "/cases/single-gap-water.toml", "-o", "parts"};
+    for (const std::string& setting : coarse) {
+        words.emplace_back("--set");
+        words.push_back(setting);
+    }
+    const Outcome first = run({.arguments = words,
+                               .directory = folder.path(),
+                               .signal = SIGINT,
+                               .signal_when = "searle:"});
+    EXPECT_EQ(first.exit_code, 130) << first.err;
+    fs::remove_all(folder / "parts");
+    words.emplace_back("--quiet");
+    const Outcome second = run({.arguments = words, .directory = folder.path()});
+    ASSERT_EQ(second.exit_code, 0) << second.err;
+    const auto whole = rheogram_in(folder / "whole").points;
+    const auto parts = rheogram_in(folder / "parts").points;
+    ASSERT_EQ(parts.size(), whole.size());
+    for (std::size_t row = 0; row < whole.size(); ++row)
+        EXPECT_NEAR(parts[row].torque / whole[row].torque, 1.0, 1e-8);
+}
+
+TEST_F(OpenFoamEngine, written_cases_run_by_hand_and_are_collected) {
+    std::vector<std::string> words{"run",
+                                   std::string(SEARLE_SOURCE_DIR) + "/cases/single-gap-water.toml",
+                                   "--write-only", "-o", "water.openfoam"};
+    for (const std::string& setting : coarse) {
+        words.emplace_back("--set");
+        words.push_back(setting);
+    }
+    ASSERT_EQ(run({.arguments = words, .directory = folder.path()}).exit_code, 0);
+    EXPECT_EQ(names_in(folder / "water.openfoam"), "case.toml level-1 level-2");
+    const Start collect{.arguments = {"collect", "water.openfoam"}, .directory = folder.path()};
+    EXPECT_EQ(run(collect).exit_code, 3); // nothing was run yet
+    EXPECT_FALSE(fs::exists(folder / "water"));
+    setenv("WM_PROJECT_DIR", solvers::openfoam::find_installation()->project.c_str(), 1);
+    for (const char* level : {"level-1", "level-2"})
+        ASSERT_EQ(run({.directory = folder.path(),
+                       .program = folder / (std::string("water.openfoam/") + level + "/Allrun")})
+                      .exit_code,
+                  0);
+    const Outcome outcome = run(collect);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(rheogram_in(folder / "water").points.size(), 10u);
+}
+
+TEST_F(OpenFoamEngine, the_defective_program_is_told_by_its_torques) {
+    const Outcome outcome =
+        run_case("single-gap-slurry.toml", "defect",
+                 {"solver.engine=openfoam", "solver.application=nonNewtonianIcoFoam",
+                  "protocol={type=\"ramp\", from=\"0 1/s\", to=\"100 1/s\", duration=\"2 s\", "
+                  "points=4}"});
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+    EXPECT_NE(text_of(folder / "defect/summary.json").find("nonNewtonianIcoFoam"),
+              std::string::npos);
+    EXPECT_NE(text_of(folder / "defect/summary.json").find("known defect"), std::string::npos);
+}
+
+TEST_F(OpenFoamEngine, a_case_changed_by_hand_is_not_gone_on_with) {
+    ASSERT_EQ(run_case("single-gap-water.toml", "water", coarse).exit_code, 0);
+    fs::remove_all(folder / "water");
+    const fs::path file = folder / "water.openfoam/level-1/constant/transportProperties";
+    write_text(file, text_of(file) + "\n// thicker\n");
+    const Outcome outcome = run_case("single-gap-water.toml", "water", coarse);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("transportProperties"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(folder / "water"));
+}
+
+TEST_F(OpenFoamEngine, engines_are_compared_side_by_side) {
+    const Outcome outcome = run(
+        {.arguments = {"compare", std::string(SEARLE_SOURCE_DIR) + "/cases/box-water.toml", "--set",
+                       "solver.accuracy=0.01", "--set", "protocol.points=5", "-o", "two"},
+         .directory = folder.path()});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("5 of 5 rows within both errors"), std::string::npos) << outcome.out;
+    EXPECT_EQ(names_in(folder / "two"),
+              "comparison.csv native openfoam report.html rheograms.csv summary.json");
+}
+
+TEST(OpenFoamMissing, its_absence_names_the_package_and_writes_nothing) {
+    const TemporaryFolder folder;
+    const std::string path = std::getenv("PATH");
+    setenv("PATH", "/nonexistent", 1);
+    const Outcome outcome =
+        run({.arguments = {"run", std::string(SEARLE_SOURCE_DIR) + "/cases/single-gap-water.toml",
+                           "--set", "solver.engine=openfoam", "-o", "water"},
+             .directory = folder.path()});
+    setenv("PATH", path.c_str(), 1);
+    EXPECT_EQ(outcome.exit_code, 4);
+    EXPECT_NE(outcome.err.find("apt-get install openfoam"), std::string::npos) << outcome.err;
+    EXPECT_EQ(names_in(folder.path()), "");
+}
+
+TEST(OpenFoamSettings, what_only_it_has_is_refused_with_the_native_engine) {
+    for (const char* setting : {"solver.processors=2", "solver.application=pimpleFoam",
+                                "solver.time_step=1 ms", "solver.viscosity_cap=10 Pa.s"}) {
+        const Outcome outcome = run(
+            {.arguments = {"check", std::string(SEARLE_SOURCE_DIR) + "/cases/single-gap-water.toml",
+                           "--set", setting}});
+        EXPECT_EQ(outcome.exit_code, 2) << setting;
+        EXPECT_NE(outcome.err.find("engine"), std::string::npos) << outcome.err;
+    }
+}
+
+} // namespace
+} // namespace searle::app
