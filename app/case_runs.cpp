@@ -4,6 +4,7 @@
 #include "app/engine_folder.hpp"
 #include "app/interrupt.hpp"
 #include "app/progress_line.hpp"
+#include "solvers/openfoam/openfoam_solver.hpp"
 
 #include <fmt/format.h>
 
@@ -45,7 +46,7 @@ SolvedCase solve_safely(PlannedCase planned, const solvers::ProgressSink& sink,
 
 } // namespace
 
-std::vector<SolvedCase> solve_all(std::vector<PlannedCase> planned, const RunPlace& place) {
+SolvedRuns solve_all(std::vector<PlannedCase> planned, const RunPlace& place) {
     const bool quiet = place.quiet;
     const bool sweeps = planned.size() > 1;
     const InterruptWatch watch;
@@ -55,18 +56,25 @@ std::vector<SolvedCase> solve_all(std::vector<PlannedCase> planned, const RunPla
             throw solvers::Interrupted();
         line.show(fraction, stage);
     };
-    std::vector<SolvedCase> solved;
+    SolvedRuns runs;
     for (std::size_t i = 0; i < planned.size() && !watch.requested(); ++i) {
-        if (planned.size() > 1)
+        if (sweeps)
             line.set_prefix(fmt::format("run {} of {}: ", i + 1, planned.size()));
         const fs::path checkpoint = checkpoint_of(planned[i].source, place.folder, sweeps);
         const fs::path engine_folder = engine_folder_for(planned[i].source, place.folder, sweeps);
-        SolvedCase each =
-            solve_safely(std::move(planned[i]), sink, checkpoint, engine_folder, place);
-        if (!each.rheogram.points.empty())
-            solved.push_back(std::move(each));
+        const std::string name = planned[i].source.name;
+        try {
+            SolvedCase each =
+                solve_safely(std::move(planned[i]), sink, checkpoint, engine_folder, place);
+            if (!each.rheogram.points.empty())
+                runs.solved.push_back(std::move(each));
+        } catch (const solvers::openfoam::OpenFoamFailed& error) {
+            if (!sweeps)
+                throw;
+            runs.failures.push_back(fmt::format("{}: {}", name, error.what()));
+        }
     }
-    return solved;
+    return runs;
 }
 
 void remove_checkpoints(const std::vector<SolvedCase>& solved, const RunPlace& place, bool sweeps) {

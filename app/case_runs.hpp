@@ -3,6 +3,7 @@
 #include "app/solved_case.hpp"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace searle::app {
@@ -14,11 +15,16 @@ struct RunPlace {
     bool quiet = false;
 };
 
-/// Solves case after case until one was interrupted; runs without a finished row are left out. Each
-/// is kept safe beside the result folder: a suspension in a checkpoint, OpenFOAM's cases in the
-/// engine's folder.
-[[nodiscard]] std::vector<SolvedCase> solve_all(std::vector<PlannedCase> planned,
-                                                const RunPlace& place);
+struct SolvedRuns {
+    std::vector<SolvedCase> solved; ///< those with a finished row, in order
+    std::vector<std::string>
+        failures; ///< of runs that OpenFOAM ended without a row, a sentence each
+};
+
+/// Solves case after case until one was interrupted. Each is kept safe beside the result folder: a
+/// suspension in a checkpoint, OpenFOAM's cases in the engine's folder. One that fails lets the
+/// others go on; a single case throws OpenFoamFailed.
+[[nodiscard]] SolvedRuns solve_all(std::vector<PlannedCase> planned, const RunPlace& place);
 
 /// The results are written: what kept the finished runs safe goes. OpenFOAM's cases stay, to be
 /// looked at.

@@ -73,7 +73,7 @@ std::vector<std::string> swept_keys_of(const std::vector<Case>& cases) {
 }
 
 SweepRecord sweep_record(const std::vector<SolvedCase>& solved, const std::vector<Case>& all_cases,
-                         const std::string& created) {
+                         const std::string& created, const std::vector<std::string>& failures) {
     SweepRecord record;
     SweepSummary& summary = record.summary;
     summary.title = all_cases.front().scene.title;
@@ -98,7 +98,11 @@ SweepRecord sweep_record(const std::vector<SolvedCase>& solved, const std::vecto
             summary.files.push_back(run.source.name + '/' + file);
         record.runs.push_back(std::move(run));
     }
-    if (solved.size() < all_cases.size()) {
+    if (!failures.empty()) {
+        summary.completeness = worse(summary.completeness, Completeness::not_reached);
+        summary.warnings.insert(summary.warnings.end(), failures.begin(), failures.end());
+    }
+    if (solved.size() + failures.size() < all_cases.size()) {
         summary.completeness = Completeness::interrupted;
         summary.warnings.push_back(
             fmt::format("Interrupted: {} of {} runs were made.", solved.size(), all_cases.size()));

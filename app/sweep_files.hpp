@@ -16,9 +16,11 @@ struct SweepRecord {
 
 /// @param solved      the runs that were made, in the sweep's order
 /// @param all_cases   all cases that the sweep has
+/// @param failures    why runs gave nothing, a sentence each
 [[nodiscard]] SweepRecord sweep_record(const std::vector<SolvedCase>& solved,
                                        const std::vector<Case>& all_cases,
-                                       const std::string& created);
+                                       const std::string& created,
+                                       const std::vector<std::string>& failures = {});
 
 /// All files of a sweep's result folder: case by case, and at the top summary.json, report.html
 /// and rheograms.csv, which has the columns `case` and those of rheogram.csv.

@@ -7,6 +7,7 @@
 #include "app/run_summary.hpp"
 #include "app/sweep_files.hpp"
 #include "app/usage_error.hpp"
+#include "solvers/openfoam/openfoam_solver.hpp"
 
 #include <fmt/format.h>
 
@@ -67,13 +68,15 @@ int compare(const CompareOptions& options) {
             (void)installation_for(each); // before the first engine spends its time
         planned.push_back(plan_case(each, StageClock()));
     }
-    const std::vector<SolvedCase> solved =
-        solve_all(std::move(planned), {folder, options.replace, options.quiet});
+    const SolvedRuns runs = solve_all(std::move(planned), {folder, options.replace, options.quiet});
+    const std::vector<SolvedCase>& solved = runs.solved;
+    if (solved.empty() && !runs.failures.empty())
+        throw solvers::openfoam::OpenFoamFailed(runs.failures.front());
     if (solved.empty()) {
         std::fputs("searle: no engine finished a point; nothing was written\n", stderr);
         return ExitCode::interrupted;
     }
-    SweepRecord record = sweep_record(solved, cases, present_time());
+    SweepRecord record = sweep_record(solved, cases, present_time(), runs.failures);
     const std::vector<EngineAgreement> agreed = agreements(solved);
     for (const EngineAgreement& one : agreed)
         if (one.within < one.rows)

@@ -96,7 +96,10 @@ int run(const RunOptions& options) {
         planned.push_back(plan_case(each, clock));
         clock = StageClock();
     }
-    const std::vector<SolvedCase> solved = solve_all(std::move(planned), place);
+    const SolvedRuns runs = solve_all(std::move(planned), place);
+    const std::vector<SolvedCase>& solved = runs.solved;
+    if (solved.empty() && !runs.failures.empty())
+        throw solvers::openfoam::OpenFoamFailed(runs.failures.front());
     if (solved.empty()) {
         tell("searle: interrupted before the first point; nothing was written\n");
         return ExitCode::interrupted;
@@ -111,7 +114,7 @@ int run(const RunOptions& options) {
             tell_shortfall(record.summary.completeness, folder);
         return exit_code_for(record.summary.completeness);
     }
-    const SweepRecord record = sweep_record(solved, cases, present_time());
+    const SweepRecord record = sweep_record(solved, cases, present_time(), runs.failures);
     write_result_folder(folder, files_of(record), options.replace);
     remove_checkpoints(solved, place, true);
     if (!options.quiet)
