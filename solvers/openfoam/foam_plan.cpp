@@ -270,7 +270,7 @@ void describe(const Scene& scene, const FoamPlan& foam, Plan& plan) {
                     : fmt::format(", time steps of {:.3g} to {:.3g} s", foam.coarsest_step,
                                   std::ldexp(foam.coarsest_step, 1 - foam.levels)));
     plan.items.push_back(
-        {"discretisation error", true,
+        {"grid error", true,
          "Levels of twice the cells and half the time step follow each other until "
          "the difference of the last two, which is claimed as error, meets the "
          "asked accuracy."});
