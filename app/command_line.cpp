@@ -14,6 +14,7 @@
 #include "app/verb_report.hpp"
 #include "app/verb_run.hpp"
 #include "app/verb_schema.hpp"
+#include "app/verb_verify.hpp"
 #include "app/versions.hpp"
 #include "casefile/nearest_name.hpp"
 
@@ -54,6 +55,7 @@ public:
         add_ends();
         add_mesh();
         add_bench();
+        add_verify();
         add_report();
         add_new();
         add_schema();
@@ -267,6 +269,17 @@ private:
         app->add_flag("--readme", options->readme, "Print the README's table")->excludes(json);
         app->add_flag("--quiet", options->quiet, "Show no progress");
         app->add_flag("--force", options->replace, "Replace results that are there already");
+    }
+    void add_verify() {
+        auto options = std::make_shared<VerifyOptions>();
+        CLI::App* app =
+            add("verify", "Check this installation against closed forms and known values",
+                "--json > verification.json", options, verify_installation);
+        app->add_option("NAME", options->names, "Beginnings of the checks' names; default all");
+        app->add_flag("--list", options->list, "List the checks");
+        auto* json = app->add_flag("--json", options->json, "Print JSON");
+        app->add_flag("--markdown", options->markdown, "Print the page docs/verification.md")
+            ->excludes(json);
     }
     void add_report() {
         auto options = std::make_shared<ReportOptions>();

@@ -92,7 +92,7 @@ std::string ratio_table(const std::vector<Ratio>& ratios) {
     for (const Ratio& ratio : ratios)
         out += row_html({ratio.scene, ratio.peer, error_text(ratio.error),
                          time_text(ratio.peer_cpu), time_text(ratio.own_cpu),
-                         fmt::format("{}{:.3g}", ratio.at_least ? "> " : "", ratio.ratio)},
+                         fmt::format("{}{:.0f}", ratio.at_least ? "> " : "", ratio.ratio)},
                         false);
     return out + "</tbody></table></div>\n<p>A curve is followed between its points by straight "
                  "lines in the logarithms. Where Searle's cheapest run is already more accurate "
@@ -112,7 +112,7 @@ std::string bench_page(const BenchResult& result) {
     std::vector<MainResult> strip;
     for (const Ratio& ratio : least)
         strip.push_back({escaped(ratio.scene),
-                         fmt::format("{}{:.3g} times", ratio.at_least ? "&gt; " : "", ratio.ratio),
+                         fmt::format("{}{:.0f} times", ratio.at_least ? "&gt; " : "", ratio.ratio),
                          escaped("cheaper than " + ratio.peer)});
     if (!strip.empty())
         body += main_results(strip);
@@ -133,7 +133,7 @@ std::string bench_page(const BenchResult& result) {
                     "there.{}",
                     scene.title, scene.reference,
                     std::isfinite(scene.whole_program)
-                        ? fmt::format(" `searle run` as a whole, with start, report and files, "
+                        ? fmt::format(" A whole run of the program, with start, report and files, "
                                       "takes {} of CPU at accuracy 1e-3.",
                                       time_text(scene.whole_program))
                         : ""))),

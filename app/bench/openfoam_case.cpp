@@ -75,9 +75,12 @@ std::string solution(const FoamCase& foam) {
         "relTol " +
         (is_steady(foam) ? "0.05" : "0") + "; }\nUFinal { $U; relTol 0; }\n}\n";
     if (is_steady(foam))
-        return text + "SIMPLE { consistent yes; nNonOrthogonalCorrectors 0; pRefCell 0; pRefValue "
-                      "0;\nresidualControl { p 1e-5; U 1e-6; } }\n"
-                      "relaxationFactors { equations { U 0.9; } fields { p 1; } }\n";
+        return text +
+               fmt::format("SIMPLE {{ consistent {}; nNonOrthogonalCorrectors 0; pRefCell 0; "
+                           "pRefValue 0;\nresidualControl {{ p 1e-5; U {}; }} }}\n"
+                           "relaxationFactors {{ equations {{ U {}; }} fields {{ p {}; }} }}\n",
+                           foam.cautious ? "no" : "yes", foam.cautious ? "1e-5" : "1e-6",
+                           foam.cautious ? 0.7 : 0.9, foam.cautious ? 0.3 : 1.0);
     return text +
            "PISO { nCorrectors 2; nNonOrthogonalCorrectors 0; pRefCell 0; pRefValue 0; }\n"
            "PIMPLE { nOuterCorrectors 2; nCorrectors 2; nNonOrthogonalCorrectors 0; pRefCell "

@@ -28,6 +28,8 @@ struct FoamCase {
     /// Horizontal cuts are planes of symmetry, and the flow is disturbed at the start by so many
     /// m/s along the axis: for vortices. 0: the cuts are "empty".
     double disturbance{};
+    /// Of simpleFoam: SIMPLE with strong relaxation, where SIMPLEC diverges.
+    bool cautious{};
 };
 
 /// Makes the mesh and writes the case into `folder`, an empty folder. Gives the number of cells.

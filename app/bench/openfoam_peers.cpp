@@ -116,22 +116,26 @@ Peer steady_gap_peer(const BenchScene& scene, const char* solver, int cells, int
 }
 
 /// Steady flow around a bob.
-Peer bob_peer(const BenchScene& scene, int cells, double cost) {
-    return {"OpenFOAM simpleFoam", fmt::format("1 deg, {} cells across the gap", cells), cost,
-            [scene, cells](const fs::path& folder, double limit, const StopQuestion& stop) {
-                const Case source = case_of(scene, 1e-3);
-                FoamCase foam = start_of("simpleFoam", source.scene, cells);
-                const double speed = solvers::make_plan(source.scene).rows.front().speed;
-                foam.step = 1.0;
-                foam.end_time = 5000.0;
-                foam.speeds = {{0.0, speed}, {1e9, speed}};
-                std::vector<FoamTorque> torques;
-                PeerRun run = run_foam(foam, folder, limit, stop, torques);
-                if (!torques.empty())
-                    run.torques = {torques.back().torque};
-                run.remark = fmt::format("{} iterations", torques.size());
-                return run;
-            }};
+Peer bob_peer(const BenchScene& scene, int cells, bool cautious, double cost) {
+    return {
+        "OpenFOAM simpleFoam",
+        fmt::format("1 deg, {} cells across the gap, {}", cells, cautious ? "SIMPLE" : "SIMPLEC"),
+        cost,
+        [scene, cells, cautious](const fs::path& folder, double limit, const StopQuestion& stop) {
+            const Case source = case_of(scene, 1e-3);
+            FoamCase foam = start_of("simpleFoam", source.scene, cells);
+            const double speed = solvers::make_plan(source.scene).rows.front().speed;
+            foam.step = 1.0;
+            foam.cautious = cautious;
+            foam.end_time = 10000.0;
+            foam.speeds = {{0.0, speed}, {1e9, speed}};
+            std::vector<FoamTorque> torques;
+            PeerRun run = run_foam(foam, folder, limit, stop, torques);
+            if (!torques.empty())
+                run.torques = {torques.back().torque};
+            run.remark = fmt::format("{} iterations", torques.size());
+            return run;
+        }};
 }
 
 /// Vortices that grow from a small disturbance at a steady speed, for 20 s.
@@ -178,10 +182,15 @@ std::vector<Peer> openfoam_peers(const BenchScene& scene) {
     if (scene.name == "slurry-steady")
         return {steady_gap_peer(scene, "pisoFoam", 20, 400, 1.0),
                 steady_gap_peer(scene, "pimpleFoam", 40, 800, 4.0)};
-    if (scene.name == "din-creeping" || scene.name == "din-secondary-10")
-        return {bob_peer(scene, 5, 1.5), bob_peer(scene, 10, 6.0), bob_peer(scene, 20, 40.0)};
+    if (scene.name == "din-creeping")
+        return {bob_peer(scene, 5, false, 0.3), bob_peer(scene, 10, false, 0.8),
+                bob_peer(scene, 20, false, 6.0)};
+    if (scene.name == "din-secondary-10")
+        return {bob_peer(scene, 5, false, 1.5), bob_peer(scene, 10, false, 4.0),
+                bob_peer(scene, 20, true, 40.0)};
     if (scene.name == "din-secondary-100")
-        return {bob_peer(scene, 5, 5.0), bob_peer(scene, 10, 20.0), bob_peer(scene, 20, 120.0)};
+        return {bob_peer(scene, 5, true, 4.0), bob_peer(scene, 10, true, 20.0),
+                bob_peer(scene, 20, true, 100.0)};
     if (scene.name == "taylor-vortices")
         return {vortex_peer(scene, 16, 0.02, 5.0), vortex_peer(scene, 32, 0.01, 40.0)};
     return {};
