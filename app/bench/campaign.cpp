@@ -89,7 +89,8 @@ public:
             one_round(round, accuracies.size());
         for (std::size_t k = 0; k < result_.points.size(); ++k)
             finish(result_.points[k], times_[k]);
-        add_published();
+        if (std::ranges::any_of(times_, [](const auto& times) { return !times.empty(); }))
+            add_published();
         std::erase_if(result_.points, [](const Measurement& point) {
             return !std::isfinite(point.cpu_median) && point.remark.empty();
         });
