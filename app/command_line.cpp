@@ -262,7 +262,9 @@ private:
                         "Scenes, or the beginnings of their names; default all (--list)");
         app->add_flag("--quick", options->quick, "Fewer points and cheap peers: a minute in all");
         add_path(app, "-o,--output", options->folder,
-                 "Folder for bench.html, .csv, .json and .md; default bench-results", "DIR");
+                 "Folder for bench.html, .csv, .json and .md, and the README's table; default "
+                 "bench-results",
+                 "DIR");
         app->add_flag("--no-peers", options->no_peers, "Searle alone");
         app->add_flag("--list", options->list, "List the scenes");
         auto* json = app->add_flag("--json", options->json, "Print JSON");

@@ -75,15 +75,17 @@ int bench_scenes_verb(const BenchOptions& options) {
     }
     const std::string json = bench::bench_json(result);
     // The folder knows its own by the list in its summary.json.
-    write_result_folder(options.folder,
-                        {{"bench.csv", bench::bench_csv(result)},
-                         {"bench.html", bench::bench_page(result)},
-                         {"bench.json", json},
-                         {"bench.md", bench::benchmark_tables(result)},
-                         {"summary.json", "{\n  \"program\": \"searle\",\n  \"kind\": \"bench\",\n"
-                                          "  \"files\": [\"bench.csv\", \"bench.html\", "
-                                          "\"bench.json\", \"bench.md\", \"summary.json\"]\n}\n"}},
-                        options.replace);
+    write_result_folder(
+        options.folder,
+        {{"bench.csv", bench::bench_csv(result)},
+         {"bench.html", bench::bench_page(result)},
+         {"bench.json", json},
+         {"bench.md", bench::benchmark_tables(result)},
+         {"readme.md", bench::readme_block(result)},
+         {"summary.json", "{\n  \"program\": \"searle\",\n  \"kind\": \"bench\",\n"
+                          "  \"files\": [\"bench.csv\", \"bench.html\", "
+                          "\"bench.json\", \"bench.md\", \"readme.md\", \"summary.json\"]\n}\n"}},
+        options.replace);
     if (options.json)
         std::fputs(json.c_str(), stdout);
     else if (options.readme)

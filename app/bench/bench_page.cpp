@@ -96,7 +96,8 @@ std::string ratio_table(const std::vector<Ratio>& ratios) {
                         false);
     return out + "</tbody></table></div>\n<p>A curve is followed between its points by straight "
                  "lines in the logarithms. Where Searle's cheapest run is already more accurate "
-                 "than the peer, the ratio is a lower bound (&gt;).</p>\n";
+                 "than the peer, the ratio is a lower bound (&gt;). Rows without an error are "
+                 "costs of a unit of strain.</p>\n";
 }
 
 } // namespace

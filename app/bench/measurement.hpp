@@ -44,6 +44,7 @@ struct SceneResult {
 /// How much cheaper searle is than a peer where both are equally far off.
 struct Ratio {
     std::string scene{};
+    std::string code{};
     std::string peer{}; ///< code and setting
     double error{};     ///< the peer's true error
     double peer_cpu{};

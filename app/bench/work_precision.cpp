@@ -14,6 +14,7 @@ double drawn_error(const SceneResult& scene, const Measurement& point) {
 
 Ratio ratio_of(const SceneResult& scene, const Measurement& peer, WorkAt own) {
     return {.scene = scene.name,
+            .code = peer.code,
             .peer = peer.code + ", " + peer.setting,
             .error = peer.true_error,
             .peer_cpu = peer.cpu_median,
@@ -89,7 +90,9 @@ std::vector<Ratio> ratios_of(const BenchResult& result) {
 std::vector<Ratio> least_ratios(const std::vector<Ratio>& ratios) {
     std::vector<Ratio> least;
     for (const Ratio& ratio : ratios) {
-        const auto same = std::ranges::find(least, ratio.scene, &Ratio::scene);
+        const auto same = std::ranges::find_if(least, [&](const Ratio& other) {
+            return other.scene == ratio.scene && other.code == ratio.code;
+        });
         if (same == least.end())
             least.push_back(ratio);
         else if (ratio.ratio < same->ratio)

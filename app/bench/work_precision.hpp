@@ -27,7 +27,7 @@ struct WorkAt {
 /// 1 %, or the most accurate one.
 [[nodiscard]] std::vector<Ratio> ratios_of(const BenchResult& result);
 
-/// Per scene the peer's point that is best for the peer: with the least ratio.
+/// Per scene and peer the point that is best for the peer: with the least ratio.
 [[nodiscard]] std::vector<Ratio> least_ratios(const std::vector<Ratio>& ratios);
 
 [[nodiscard]] double median(std::vector<double> values);

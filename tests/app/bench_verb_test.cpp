@@ -114,14 +114,14 @@ TEST(Apart, faults_come_back_as_text_and_crashes_stay_there) {
     EXPECT_TRUE(late.timed_out);
 }
 
-TEST(BenchVerb, measures_a_scene_into_a_folder_of_four_formats) {
+TEST(BenchVerb, measures_scenes_into_a_folder_of_all_formats) {
     const TemporaryFolder place;
     const Outcome run = testing::searle(
         {"bench", "slurry-steady", "box", "--quick", "--no-peers", "-o", "out", "--json"},
         place.path());
     ASSERT_EQ(run.exit_code, 0) << run.err;
     EXPECT_EQ(testing::names_in(place / "out"),
-              "bench.csv bench.html bench.json bench.md summary.json");
+              "bench.csv bench.html bench.json bench.md readme.md summary.json");
     EXPECT_EQ(run.out, text_of(place / "out/bench.json"));
     const auto json = nlohmann::json::parse(run.out);
     ASSERT_EQ(json.at("scenes").size(), 2U);
