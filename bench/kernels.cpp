@@ -11,8 +11,10 @@
 // `counts`).
 
 #include "app/case_reader.hpp"
+#include "app/solved_case.hpp"
 #include "rheometry/fit/fit.hpp"
 #include "rheometry/fit/prediction.hpp"
+#include "rheometry/report/number_text.hpp"
 #include "rheometry/report/rich_text.hpp"
 #include "solvers/axisymmetric/creeping_swirl.hpp"
 #include "solvers/plan.hpp"
@@ -112,6 +114,35 @@ double plan() {
         .steady_stress;
 }
 
+/// All of `run` but its files.
+double solve_case() {
+    app::Case source = app::read_cases_text(water_case, "case.toml").front();
+    return app::solve_case(app::plan_case(std::move(source), app::StageClock()), {})
+        .rheogram.points.back()
+        .shear_stress;
+}
+
+/// A gap that is partly sheared at the slow end, so that layers of all widths have their onset.
+double plan_slurry() {
+    const std::string text =
+        "[geometry]\ntype = \"single-gap\"\nbob_radius = \"14 mm\"\ncup_radius = \"15 mm\"\nheight "
+        "= \"42 mm\"\n[fluid]\nmodel = \"herschel-bulkley\"\nyield_stress = \"5 Pa\"\nconsistency "
+        "= "
+        "\"0.5 Pa.s^n\"\nflow_index = 0.5\ndensity = \"1250 kg/m^3\"\n[protocol]\ntype = "
+        "\"steps\"\nshear_rates = { from = \"0.1 1/s\", to = \"1000 1/s\", count = 41, spacing = "
+        "\"log\" }\nhold = \"steady\"\n";
+    return solvers::make_plan(app::read_cases_text(text, "case.toml").front().scene)
+        .rows.back()
+        .steady_stress;
+}
+
+double numbers() {
+    std::size_t size = 0;
+    for (int k = 1; k <= 300; ++k)
+        size += rheometry::report::significant(0.0123456 * k * k, 5).size();
+    return static_cast<double>(size);
+}
+
 double escape() {
     std::size_t size = 0;
     for (int k = 0; k < 200; ++k)
@@ -122,15 +153,13 @@ double escape() {
 
 using Kernel = double (*)();
 const std::map<std::string, Kernel, std::less<>>& kernels() {
-    static const std::map<std::string, Kernel, std::less<>> all{{"steady-gap", steady_gap},
-                                                                {"ramp-water", ramp},
-                                                                {"ramp-slurry", slurry_ramp},
-                                                                {"taylor-onset", onset},
-                                                                {"creeping-bob", creeping_bob},
-                                                                {"fit-curve", fit_curve},
-                                                                {"read-case", read_case},
-                                                                {"plan", plan},
-                                                                {"escape", escape}};
+    static const std::map<std::string, Kernel, std::less<>> all{
+        {"steady-gap", steady_gap},     {"ramp-water", ramp},
+        {"ramp-slurry", slurry_ramp},   {"taylor-onset", onset},
+        {"creeping-bob", creeping_bob}, {"fit-curve", fit_curve},
+        {"read-case", read_case},       {"plan", plan},
+        {"plan-slurry", plan_slurry},   {"solve-case", solve_case},
+        {"numbers", numbers},           {"escape", escape}};
     return all;
 }
 
