@@ -44,7 +44,7 @@ std::string time_text(double seconds) {
         return fmt::format("{:.3g} us", 1e6 * seconds);
     if (seconds < 1.0)
         return fmt::format("{:.3g} ms", 1e3 * seconds);
-    return fmt::format("{:.3g} s", seconds);
+    return seconds < 1000.0 ? fmt::format("{:.3g} s", seconds) : fmt::format("{:.0f} s", seconds);
 }
 
 std::string error_text(double error) {
