@@ -2,6 +2,7 @@
 
 #include "app/exit_code.hpp"
 #include "app/failures.hpp"
+#include "app/verb_bench.hpp"
 #include "app/verb_check.hpp"
 #include "app/verb_collect.hpp"
 #include "app/verb_compare.hpp"
@@ -15,6 +16,7 @@
 #include "app/verb_report.hpp"
 #include "app/verb_run.hpp"
 #include "app/verb_schema.hpp"
+#include "app/verb_verify.hpp"
 #include "app/versions.hpp"
 #include "casefile/nearest_name.hpp"
 
@@ -56,6 +58,8 @@ public:
         add_fit();
         add_ends();
         add_mesh();
+        add_bench();
+        add_verify();
         add_report();
         add_new();
         add_schema();
@@ -76,7 +80,7 @@ public:
 private:
     /// Verbs whose work this version cannot do.
     static constexpr std::pair<const char*, const char*> later_verbs[] = {
-        {"bench", "Run time against error"}, {"stress", "Numerical stability sweeps"}};
+        {"stress", "Numerical stability sweeps"}};
 
     template <class Options>
     CLI::App* add(const char* name, const char* purpose, const char* example,
@@ -282,6 +286,35 @@ private:
         add_path(app, "--drawing", options->drawing, "Dimensioned drawing, .svg or .png");
         app->add_flag("--json", options->json, "Print the checks as JSON");
         app->add_flag("--quiet", options->quiet, "Print nothing but faults");
+    }
+    void add_bench() {
+        auto options = std::make_shared<BenchOptions>();
+        CLI::App* app = add("bench", "Measure run time against error, beside the peers installed",
+                            "single-gap-ramp -o bench-results", options, bench_scenes_verb);
+        app->add_option("NAME", options->names,
+                        "Scenes, or the beginnings of their names; default all (--list)");
+        app->add_flag("--quick", options->quick, "Fewer points and cheap peers: a minute in all");
+        add_path(app, "-o,--output", options->folder,
+                 "Folder for bench.html, .csv, .json and .md, and the README's table; default "
+                 "bench-results",
+                 "DIR");
+        app->add_flag("--no-peers", options->no_peers, "Searle alone");
+        app->add_flag("--list", options->list, "List the scenes");
+        auto* json = app->add_flag("--json", options->json, "Print JSON");
+        app->add_flag("--readme", options->readme, "Print the README's table")->excludes(json);
+        app->add_flag("--quiet", options->quiet, "Show no progress");
+        app->add_flag("--force", options->replace, "Replace results that are there already");
+    }
+    void add_verify() {
+        auto options = std::make_shared<VerifyOptions>();
+        CLI::App* app =
+            add("verify", "Check this installation against closed forms and known values",
+                "--json > verification.json", options, verify_installation);
+        app->add_option("NAME", options->names, "Beginnings of the checks' names; default all");
+        app->add_flag("--list", options->list, "List the checks");
+        auto* json = app->add_flag("--json", options->json, "Print JSON");
+        app->add_flag("--markdown", options->markdown, "Print the page docs/verification.md")
+            ->excludes(json);
     }
     void add_report() {
         auto options = std::make_shared<ReportOptions>();

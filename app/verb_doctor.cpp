@@ -122,7 +122,7 @@ std::string line_for_gmsh() {
 /// The file of units is read when the program runs, so it can be missing although all was built.
 bool units_can_be_read() {
     try {
-        (void)casefile::unit_named("mm");
+        (void)casefile::unit_of_database("mm");
         return true;
     } catch (const std::runtime_error&) {
         return false;

@@ -1,5 +1,6 @@
 #include "casefile/unit.hpp"
 
+#include "casefile/common_units.hpp"
 #include "casefile/unit_spelling.hpp"
 
 #include <cctype>
@@ -170,11 +171,17 @@ private:
 
 } // namespace
 
-std::variant<Unit, UnknownUnit> unit_named(std::string_view text) {
+std::variant<Unit, UnknownUnit> unit_of_database(std::string_view text) {
     static std::mutex one_at_a_time;
     const std::lock_guard lock{one_at_a_time};
     static UnitLibrary library;
     return library.unit(text);
+}
+
+std::variant<Unit, UnknownUnit> unit_named(std::string_view text) {
+    if (const std::optional<Unit> common = common_unit(text))
+        return *common;
+    return unit_of_database(text);
 }
 
 } // namespace searle::casefile

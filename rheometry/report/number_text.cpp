@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -36,6 +37,14 @@ void drop_trailing_zeros(std::string& digits) {
     }
 }
 
+/// The value with so many digits after the point, >= 0 and below 1e18 where the format is fixed.
+std::string text_of(double value, std::chars_format format, int digits) {
+    std::array<char, 64> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, format, digits).ptr;
+    return {text.data(), end};
+}
+
 std::string number_text(double value, int digits, bool keep_zeros) {
     if (!std::isfinite(value)) {
         return "\u2013";
@@ -45,14 +54,15 @@ std::string number_text(double value, int digits, bool keep_zeros) {
     }
     digits = std::clamp(digits, 1, 17);
     // The exponent after rounding: 9.996 to three digits is 10.0.
-    const std::string scientific = fmt::format("{:.{}e}", std::abs(value), digits - 1);
+    const std::string scientific =
+        text_of(std::abs(value), std::chars_format::scientific, digits - 1);
     const std::size_t mark = scientific.find('e');
     const int exponent = std::atoi(scientific.c_str() + mark + 1);
     std::string text;
     if (exponent >= -4 && exponent < std::max(digits, 6)) {
         // Digits before the point beyond the significant ones are zeros.
         const double rounded = exponent < digits ? std::abs(value) : std::atof(scientific.c_str());
-        text = fmt::format("{:.{}f}", rounded, std::max(0, digits - 1 - exponent));
+        text = text_of(rounded, std::chars_format::fixed, std::max(0, digits - 1 - exponent));
         if (!keep_zeros) {
             drop_trailing_zeros(text);
         }

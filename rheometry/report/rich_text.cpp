@@ -103,7 +103,18 @@ double advance(char32_t c) {
 std::string escaped(std::string_view text) {
     std::string out;
     out.reserve(text.size() + 16);
+    const auto is_plain = [](char c) {
+        return c >= ' ' && c < '\x7f' && c != '&' && c != '<' && c != '>' && c != '"' && c != '\'';
+    };
     for (std::size_t at = 0; at < text.size();) {
+        // Nearly all text is plain: it is copied in one go.
+        std::size_t end = at;
+        while (end < text.size() && is_plain(text[end]))
+            ++end;
+        out += text.substr(at, end - at);
+        at = end;
+        if (at == text.size())
+            break;
         const char c = text[at];
         const CodePoint point = decode(text, at);
         if (!point.valid) {

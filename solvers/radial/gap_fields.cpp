@@ -188,6 +188,8 @@ GapProfile transient_profile(const GapShape& shape, const std::vector<double>& g
 
 std::vector<fields::SectionFields> gap_fields(const Scene& scene, const RadialReport& solution,
                                               std::span<const std::size_t> rows) {
+    if (rows.empty()) // most cases: a second run of the flow would be for nothing
+        return {};
     const std::vector<RotorGap> gaps = rotor_gaps(scene.instrument, scene.fluid.density);
     const double height = height_of(scene.instrument);
     std::vector<fields::SectionFields> sections;

@@ -7,9 +7,10 @@ using searle::app::testing::run;
 using searle::app::testing::searle;
 using searle::app::testing::TemporaryFolder;
 
-const std::vector<std::string> working_verbs{"run", "plan",   "check",  "convert", "report",
-                                             "new", "schema", "doctor", "fit",     "mesh"};
-const std::vector<std::string> later_verbs{"bench", "stress"};
+const std::vector<std::string> working_verbs{"run",     "collect", "compare", "plan",   "check",
+                                             "convert", "report",  "new",     "schema", "doctor",
+                                             "fit",     "mesh",    "bench",   "verify"};
+const std::vector<std::string> later_verbs{"stress"};
 
 bool holds(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;

@@ -1,3 +1,4 @@
+#include "casefile/common_units.hpp"
 #include "casefile/unit.hpp"
 
 #include "casefile/unit_spelling.hpp"
@@ -67,4 +68,18 @@ TEST(unit, may_be_asked_for_by_several_threads) {
         thread.join();
     for (const int count : right)
         EXPECT_EQ(count, 200);
+}
+
+// UDUNITS-2 is the authority for those that are known by heart, too.
+TEST(unit, common_ones_are_those_of_the_database_bit_for_bit) {
+    EXPECT_GE(casefile::common_units().size(), 20U);
+    for (const auto& [name, known] : casefile::common_units()) {
+        const auto found = casefile::unit_of_database(name);
+        ASSERT_TRUE(std::holds_alternative<Unit>(found)) << name;
+        const Unit& expected = std::get<Unit>(found);
+        EXPECT_EQ(known.dimension, expected.dimension) << name;
+        EXPECT_EQ(known.decimal_exponent, expected.decimal_exponent) << name;
+        EXPECT_EQ(known.factor, expected.factor) << name;
+        EXPECT_EQ(known.offset, expected.offset) << name;
+    }
 }

@@ -28,8 +28,8 @@ const std::map<std::string, std::set<std::string>> may_include{
     {"geometry", {"casefile"}},
     {"rheometry", {"casefile", "laws", "geometry"}},
     {"solvers", {"casefile", "laws", "geometry", "rheometry"}},
-    {"app", {"casefile", "laws", "geometry", "rheometry", "solvers"}},
-    // References that tests and benches hold the solvers to; no part of the program.
+    {"app", {"casefile", "laws", "geometry", "rheometry", "solvers", "verification"}},
+    // References that tests, `bench` and `verify` hold the solvers to.
     {"verification", {"casefile", "laws", "geometry", "rheometry", "solvers"}},
 };
 
@@ -42,12 +42,13 @@ const std::map<std::string, std::set<std::string>> third_party{
     {"zip.h", {"rheometry/tables/open_workbook.cpp"}},
     {"pugixml", {"rheometry/tables/open_workbook.cpp"}},
     {"CLI/", {"app/command_line.cpp"}},
-    {"hdf5", {"app/checkpoint_file.cpp"}},
+    {"hdf5", {"app/hdf5_module/module.cpp"}},
     {"gmsh.h", {"geometry/gmsh_module/module.cpp", "geometry/gmsh_module/filling.cpp"}},
     {"CGAL/", {"geometry/outline_check.cpp"}},
     {"nlohmann",
      {"app/fit_as_json.cpp", "app/mesh_table.cpp", "app/ends_as_json.cpp", "app/plan_as_json.cpp",
-      "app/summary_json.cpp", "app/verb_schema.cpp", "rheometry/tables/trios_json.cpp"}},
+      "app/bench/bench_as_json.cpp", "app/verify/verify_as_json.cpp", "app/summary_json.cpp",
+      "app/verb_schema.cpp", "rheometry/tables/trios_json.cpp"}},
     {"ceres", {"rheometry/fit/least_squares.cpp", "rheometry/fit/model.cpp"}},
     {"glog", {"rheometry/fit/least_squares.cpp"}},
 };

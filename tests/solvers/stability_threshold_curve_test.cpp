@@ -8,7 +8,7 @@ namespace {
 
 // Origin: the eigenvalue problem itself, at gaps that are no nodes of the interpolation.
 TEST(ThresholdCurve, agrees_with_the_eigenvalue_problem_for_every_narrower_gap) {
-    for (const double widest : {1e-3, 0.0714, 1.0, 19.0}) {
+    for (const double widest : {1e-3, 0.0714, 0.1, 0.3, 0.6, 1.0, 19.0}) {
         const ThresholdCurve curve(widest);
         for (double share = 1.0; share > 1e-7; share *= 0.37) {
             const double relative_gap = widest * share;
