@@ -16,6 +16,7 @@
 #include "app/verb_report.hpp"
 #include "app/verb_run.hpp"
 #include "app/verb_schema.hpp"
+#include "app/verb_stress.hpp"
 #include "app/verb_verify.hpp"
 #include "app/versions.hpp"
 #include "casefile/nearest_name.hpp"
@@ -64,8 +65,7 @@ public:
         add_new();
         add_schema();
         add_doctor();
-        for (const auto& [name, purpose] : later_verbs)
-            add_later(name, purpose);
+        add_stress();
     }
 
     CLI::App& program() { return program_; }
@@ -78,10 +78,6 @@ public:
     }
 
 private:
-    /// Verbs whose work this version cannot do.
-    static constexpr std::pair<const char*, const char*> later_verbs[] = {
-        {"stress", "Numerical stability sweeps"}};
-
     template <class Options>
     CLI::App* add(const char* name, const char* purpose, const char* example,
                   std::shared_ptr<Options> options, int (*verb)(const Options&)) {
@@ -348,20 +344,22 @@ private:
         app->footer("Example: searle doctor");
         app->callback([this] { chosen_ = doctor; });
     }
-    void add_later(const char* name, const char* purpose) {
-        CLI::App* app = program_.add_subcommand(name, purpose);
-        app->group(fmt::format("Not in version {}", program_version()));
-        app->footer(fmt::format("This version of Searle does not have `{}`.", name));
-        app->allow_extras();
-        app->callback([this, name] {
-            chosen_ = [name] {
-                std::fputs(fmt::format("searle: version {} does not have the verb '{}'\n",
-                                       program_version(), name)
-                               .c_str(),
-                           stderr);
-                return static_cast<int>(ExitCode::engine_missing);
-            };
-        });
+    void add_stress() {
+        auto options = std::make_shared<StressOptions>();
+        CLI::App* app = add("stress", "Hold random scenes to the truth: what can break it",
+                            "fluid --scenes 500 --seed 7 -o sweep", options, stress);
+        app->add_option("NAME", options->families,
+                        "Families: fluid, particles, input; default all");
+        app->add_option("--scenes", options->scenes, "Scenes of each family")
+            ->capture_default_str();
+        app->add_option("--seed", options->seed, "What they are drawn from")->capture_default_str();
+        app->add_option("--minutes", options->minutes, "Stop after that time; 0: do not");
+        app->add_option("--scene-seconds", options->scene_seconds,
+                        "A scene that takes longer hangs")
+            ->capture_default_str();
+        add_path(app, "-o,--output", options->folder, "Folder for stress.csv and failures/", "DIR");
+        app->add_flag("--json", options->json, "Print JSON");
+        app->add_flag("--quiet", options->quiet, "Show no progress");
     }
 
     CLI::App program_{"A virtual rheometer: a case file in, a rheogram with error bars out",

@@ -1,0 +1,145 @@
+#include "app/stress/scene_trial.hpp"
+
+#include "app/stress/scene_truth.hpp"
+#include "geometry/mesh_error.hpp"
+#include "solvers/suspension/suspension_motion.hpp"
+#include "solvers/unsuitable_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+namespace searle::app {
+namespace {
+
+/// How a process that found no number to hand back says which verdict it came to.
+struct Reason : std::runtime_error {
+    Reason(Verdict verdict, const std::string& text)
+        : std::runtime_error(fmt::format("{}: {}", name_of(verdict), text)) {}
+};
+
+void check_finite(const SolvedCase& solved) {
+    for (const rheometry::RheogramPoint& point : solved.rheogram.points)
+        if (!std::isfinite(point.shear_stress) || !std::isfinite(point.stress_error) ||
+            !std::isfinite(point.shear_rate) || !std::isfinite(point.torque))
+            throw Reason(Verdict::crashed, "a row holds a number that is none");
+}
+
+std::string why_not_reached(const SolvedCase& solved) {
+    std::string text;
+    for (const std::string& warning : warnings_of(solved))
+        text = warning; // the last one names the accuracy
+    return text;
+}
+
+/// Verdict, worst ratio, largest claimed error, basis (0 digits, 1 series, 2 finer run, 3 none).
+std::vector<double> judged(const RandomCase& scene) {
+    std::vector<Case> cases = read_cases_text(scene.text, "scene.toml");
+    if (cases.empty())
+        throw Reason(Verdict::refused, "no case");
+    // Of a mangled text that became a sweep the first case is run.
+    const SolvedCase solved = solve_case(plan_case(std::move(cases.front()), StageClock()),
+                                         [](double, std::string_view) {});
+    check_finite(solved);
+    const Completeness completeness = completeness_of(solved);
+    const double claimed = solved.solution.worst_relative_error;
+    const double code = completeness == Completeness::complete
+                            ? static_cast<double>(Verdict::right)
+                            : static_cast<double>(Verdict::gave_up);
+    if (completeness != Completeness::complete && why_not_reached(solved).empty())
+        throw Reason(Verdict::crashed, "gave up without a reason");
+    if (!scene.physical || solved.source.scene.particles)
+        return {code, 0.0, claimed, 3.0};
+    const SceneTruth truth = truth_of(solved);
+    const auto& rows = solved.solution.history.rows;
+    double worst = 0.0;
+    for (std::size_t row = 0; row < std::min(rows.size(), truth.torque.size()); ++row) {
+        const double distance = std::abs(rows[row].torque - truth.torque[row]);
+        const double bars = rows[row].torque_error + truth.error[row];
+        if (distance > 0.0)
+            worst = std::max(worst, distance / bars);
+    }
+    const double basis = truth.basis == "50 digits"      ? 0.0
+                         : truth.basis == "exact series" ? 1.0
+                                                         : 2.0;
+    return {worst > 1.0 ? static_cast<double>(Verdict::wrong) : code, worst, claimed, basis};
+}
+
+std::vector<double> told(const RandomCase& scene) {
+    try {
+        return judged(scene);
+    } catch (const Reason&) {
+        throw;
+    } catch (const CaseError& error) {
+        throw Reason(Verdict::refused, error.what());
+    } catch (const solvers::UnsuitableScene& error) {
+        throw Reason(Verdict::refused, error.what());
+    } catch (const EngineMissing& error) {
+        throw Reason(Verdict::refused, error.what());
+    } catch (const geometry::MeshError& error) {
+        throw Reason(Verdict::refused, error.what());
+    } catch (const solvers::suspension::StepFailure& error) {
+        throw Reason(Verdict::gave_up, error.what());
+    } catch (const std::bad_alloc&) {
+        throw Reason(Verdict::crashed, "memory ran out");
+    } catch (const std::exception& error) {
+        throw Reason(Verdict::crashed, error.what());
+    }
+}
+
+} // namespace
+
+std::string_view name_of(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::right:
+        return "RIGHT";
+    case Verdict::gave_up:
+        return "GAVE-UP";
+    case Verdict::refused:
+        return "REFUSED";
+    case Verdict::wrong:
+        return "WRONG";
+    case Verdict::crashed:
+        return "CRASHED";
+    case Verdict::hung:
+        break;
+    }
+    return "HUNG";
+}
+
+bool is_failure(Verdict verdict) {
+    return verdict == Verdict::wrong || verdict == Verdict::crashed || verdict == Verdict::hung;
+}
+
+Trial try_scene(const RandomCase& scene, double limit, const bench::StopQuestion& stop) {
+    const bench::Ended ended = bench::work_apart([&scene] { return told(scene); }, limit, stop);
+    Trial trial;
+    trial.cpu = ended.cpu;
+    if (ended.timed_out) {
+        trial.verdict = Verdict::hung;
+        trial.reason = fmt::format("not done within {:.0f} s", limit);
+        return trial;
+    }
+    if (ended.values.size() == 4) {
+        static constexpr const char* bases[] = {"50 digits", "exact series", "a tenth of the error",
+                                                ""};
+        trial.verdict = static_cast<Verdict>(static_cast<int>(ended.values[0]));
+        trial.worst_ratio = ended.values[1];
+        trial.relative_error = ended.values[2];
+        trial.truth = bases[static_cast<std::size_t>(ended.values[3])];
+        if (trial.verdict == Verdict::wrong)
+            trial.reason = fmt::format("{:.3g} error bars from {}", trial.worst_ratio, trial.truth);
+        return trial;
+    }
+    trial.reason = ended.fault;
+    for (const Verdict verdict : {Verdict::gave_up, Verdict::refused, Verdict::crashed})
+        if (ended.fault.starts_with(name_of(verdict))) {
+            trial.verdict = verdict;
+            trial.reason = ended.fault.substr(name_of(verdict).size() + 2);
+        }
+    return trial;
+}
+
+} // namespace searle::app

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "app/solved_case.hpp"
+
+#include <string>
+#include <vector>
+
+namespace searle::app {
+
+/// What a solved case is held to.
+struct SceneTruth {
+    std::vector<double> torque; ///< N m (N), row by row
+    std::vector<double> error;  ///< of the truth itself, same unit
+    std::string basis;
+};
+
+/// @param solved  with rows that are finished
+[[nodiscard]] SceneTruth truth_of(const SolvedCase& solved);
+
+} // namespace searle::app
