@@ -111,6 +111,7 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
         solved.ends = std::move(report.ends);
     } else {
         solved.solution = solvers::radial::solve_radial(scene, solved.plan, progress);
+        solvers::meridional::doubt_vortices_left_out(scene, solved.plan, solved.solution);
     }
     solved.clock.end_stage("solve");
     convert(solved, end_factors);

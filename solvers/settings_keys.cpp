@@ -54,8 +54,7 @@ void declare_openfoam(casefile::Keys<SolverSettings>& keys) {
         .example("100 Pa.s")
         .or_absent_as("auto", "high enough for the accuracy")
         .not_in_new()
-        .says("Largest viscosity in OpenFOAM, which lets a fluid below its yield stress creep; for "
-              "engine = \"openfoam\".");
+        .says("Largest viscosity of a fluid below its yield stress; for engine = \"openfoam\".");
 }
 
 } // namespace

@@ -64,6 +64,16 @@ DoneScenes done_in(const fs::path& file, std::uint64_t seed) {
     return done;
 }
 
+/// Case files of what failed and of what gave up; the others are drawn again from their number.
+void keep_case(const fs::path& folder, const std::string& name, const Trial& trial,
+               const RandomCase& scene) {
+    if (!is_failure(trial.verdict) && trial.verdict != Verdict::gave_up)
+        return;
+    const fs::path place = folder / (is_failure(trial.verdict) ? "failures" : "gave-up");
+    fs::create_directories(place);
+    replace_file(place / name, scene.text);
+}
+
 void count(Tally& tally, const Trial& trial) {
     ++tally.count[trial.verdict];
     tally.cpu += trial.cpu;
@@ -137,12 +147,7 @@ StressResult run_stress(const StressPlan& plan, const bench::StopQuestion& stop,
                 rows << row_of(family, number, plan.seed, kind, trial) << std::flush;
                 if (!rows)
                     throw OutputWriteError(table.string() + ": cannot be written");
-                if (is_failure(trial.verdict)) {
-                    fs::create_directories(plan.folder / "failures");
-                    replace_file(plan.folder / "failures" /
-                                     fmt::format("{}-{}.toml", family, number),
-                                 scene.text);
-                }
+                keep_case(plan.folder, fmt::format("{}-{}.toml", family, number), trial, scene);
             }
             count(result.families[family], trial);
             count(result.kinds[family][kind], trial);

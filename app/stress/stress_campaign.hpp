@@ -38,7 +38,7 @@ struct StressResult {
 /// Runs the scenes in the order of their numbers. `folder`/stress.csv gets a line a scene as it
 /// goes (family, number, seed, kind, verdict, ratio, claimed error, CPU, truth, reason); scenes of
 /// the same seed that stand there already are taken from there. The case of each failure is written
-/// to `folder`/failures/FAMILY-NUMBER.toml.
+/// to `folder`/failures/FAMILY-NUMBER.toml, that of a scene that gave up to `folder`/gave-up/.
 /// @param told  called after each scene: how many are done of how many, and the failures so far
 [[nodiscard]] StressResult run_stress(const StressPlan& plan, const bench::StopQuestion& stop,
                                       const std::function<void(long, long, long)>& told);

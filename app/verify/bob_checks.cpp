@@ -84,9 +84,9 @@ Found vortices_against_openfoam() {
                               solvers::stability::taylor_threshold(relative_gap).wave_number;
     const double delta = 16.0 / 14.0;
     const double rate_per_speed = 2.0 * delta * delta / (delta * delta - 1.0);
-    meridional::SteadyVortices vortices(gap, wavelength, Newtonian{viscosity}, density, 1e-3);
-    return {std::max(relative(vortices.at(42.0 / rate_per_speed).factor, 1.33),
-                     relative(vortices.at(60.0 / rate_per_speed).factor, 1.89))};
+    meridional::SteadyVortices vortices(gap, wavelength, Newtonian{viscosity}, density);
+    return {std::max(relative(vortices.at(42.0 / rate_per_speed, 1e-3).factor, 1.33),
+                     relative(vortices.at(60.0 / rate_per_speed, 1e-3).factor, 1.89))};
 }
 
 /// Torque - 1 half and one per cent past the onset: proportional.
@@ -97,10 +97,10 @@ Found vortices_from_the_onset() {
         threshold.reynolds * viscosity / density / (gap.inner_radius * gap.width());
     meridional::SteadyVortices vortices(
         gap, 2.0 * std::numbers::pi * gap.width() / threshold.wave_number, Newtonian{viscosity},
-        density, 1e-5);
-    const double before = vortices.at(0.998 * onset).factor - 1.0;
-    const double one = vortices.at(1.005 * onset).factor - 1.0;
-    const double two = vortices.at(1.010 * onset).factor - 1.0;
+        density);
+    const double before = vortices.at(0.998 * onset, 1e-5).factor - 1.0;
+    const double one = vortices.at(1.005 * onset, 1e-5).factor - 1.0;
+    const double two = vortices.at(1.010 * onset, 1e-5).factor - 1.0;
     return {std::max(std::abs(before), std::abs(two / one - 2.0))};
 }
 

@@ -36,10 +36,10 @@ double secondary_speed(const FlowState& state) {
 } // namespace
 
 SteadyVortices::SteadyVortices(const radial::AnnularGap& gap, double wavelength,
-                               const laws::flow::AnyFlowLaw& law, double density, double accuracy)
+                               const laws::flow::AnyFlowLaw& law, double density)
     : gap_(gap), cell_{.gap = gap.outer_radius / gap.inner_radius - 1.0,
                        .height = 0.5 * wavelength / gap.inner_radius},
-      law_(law), density_(density), accuracy_(accuracy),
+      law_(law), density_(density),
       critical_reynolds_(stability::taylor_threshold(cell_.gap).reynolds) {}
 
 ScaledFluid SteadyVortices::fluid_at(double speed) const {
@@ -54,7 +54,7 @@ SteadyVortices::Level& SteadyVortices::level(std::size_t index) {
     return levels_[index];
 }
 
-bool SteadyVortices::follow(Level& here, double to) {
+bool SteadyVortices::follow(Level& here, double to, double accuracy) {
     FlowLevel& flow = *here.flow;
     if (here.at_speed == 0.0 || here.at_speed > to) {
         double slow = to;
@@ -63,7 +63,7 @@ bool SteadyVortices::follow(Level& here, double to) {
         }
         flow.start_from_rest();
         static_cast<void>(
-            flow.solve_creeping(fluid_at(slow).material(0.0).law, path_tolerance * accuracy_));
+            flow.solve_creeping(fluid_at(slow).material(0.0).law, path_tolerance * accuracy));
         FlowState state = flow.state();
         disturb_rotor(cell_, flow.space(), unevenness, state);
         flow.set_state(std::move(state));
@@ -90,13 +90,13 @@ bool SteadyVortices::follow(Level& here, double to) {
     return true;
 }
 
-bool SteadyVortices::even_out(Level& here, double speed) {
+bool SteadyVortices::even_out(Level& here, double speed, double accuracy) {
     FlowLevel& flow = *here.flow;
     for (const double left : {0.3 * unevenness, 0.1 * unevenness, 0.0}) {
         FlowState state = flow.state();
         disturb_rotor(cell_, flow.space(), left, state);
         flow.set_state(std::move(state));
-        const double tolerance = left > 0.0 ? path_tolerance : newton_share * accuracy_;
+        const double tolerance = left > 0.0 ? path_tolerance : newton_share * accuracy;
         if (!flow.solve_steady(fluid_at(speed).material(), tolerance)) {
             return false;
         }
@@ -104,7 +104,7 @@ bool SteadyVortices::even_out(Level& here, double speed) {
     return true;
 }
 
-InertiaFactor SteadyVortices::at(double speed, const ProgressSink& progress) {
+InertiaFactor SteadyVortices::at(double speed, double accuracy, const ProgressSink& progress) {
     InertiaFactor result;
     double before = 0.0;
     const ScaledFluid fluid = fluid_at(speed);
@@ -116,14 +116,14 @@ InertiaFactor SteadyVortices::at(double speed, const ProgressSink& progress) {
         Level& here = level(index);
         FlowLevel& flow = *here.flow;
         if (result.levels == 0) {
-            if (!follow(here, speed) || !even_out(here, speed)) {
+            if (!follow(here, speed, accuracy) || !even_out(here, speed, accuracy)) {
                 continue;
             }
             first_level_ = index;
         } else {
             flow.start_from_rest();
             flow.start_from(*levels_[index - 1].flow);
-            if (!flow.solve_steady(fluid.material(), newton_share * accuracy_)) {
+            if (!flow.solve_steady(fluid.material(), newton_share * accuracy)) {
                 continue;
             }
         }
@@ -133,7 +133,7 @@ InertiaFactor SteadyVortices::at(double speed, const ProgressSink& progress) {
             const double torque = flow.steady_torque(fluid.material());
             flow.start_from_rest();
             static_cast<void>(
-                flow.solve_creeping(fluid.material(0.0).law, newton_share * accuracy_));
+                flow.solve_creeping(fluid.material(0.0).law, newton_share * accuracy));
             factor = torque / flow.steady_torque(fluid.material(0.0));
             flow.set_state(vortices);
         }
@@ -142,7 +142,7 @@ InertiaFactor SteadyVortices::at(double speed, const ProgressSink& progress) {
         result.unknowns = flow.space().unknowns();
         result.relative_error = std::abs(factor - before) / factor;
         before = factor;
-        result.reached = result.levels > 1 && result.relative_error <= accuracy_;
+        result.reached = result.levels > 1 && result.relative_error <= accuracy;
         if (result.reached) {
             break;
         }

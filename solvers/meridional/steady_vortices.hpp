@@ -20,13 +20,14 @@ class SteadyVortices {
 public:
     /// @param wavelength  axial period: two vortices, m, > 0
     /// @param density     kg/m^3, > 0
-    /// @param accuracy    asked-for relative error of the torque, > 0
     SteadyVortices(const radial::AnnularGap& gap, double wavelength,
-                   const laws::flow::AnyFlowLaw& law, double density, double accuracy);
+                   const laws::flow::AnyFlowLaw& law, double density);
 
     /// Torque over the laminar flow's, both at `speed`, rad/s, > 0; 1 below the onset. Best called
     /// with rising speeds. May throw Interrupted.
-    [[nodiscard]] InertiaFactor at(double speed, const ProgressSink& progress = {});
+    /// @param accuracy  asked-for relative error of the torque, > 0
+    [[nodiscard]] InertiaFactor at(double speed, double accuracy,
+                                   const ProgressSink& progress = {});
 
     [[nodiscard]] long factorisations() const;
 
@@ -39,15 +40,14 @@ private:
     [[nodiscard]] ScaledFluid fluid_at(double speed) const;
     [[nodiscard]] Level& level(std::size_t index);
     /// The uneven rotor's flow becomes that at a higher speed.
-    bool follow(Level& level, double to);
+    bool follow(Level& level, double to, double accuracy);
     /// The level's state becomes the even rotor's flow, from the uneven one at the same speed.
-    bool even_out(Level& level, double speed);
+    bool even_out(Level& level, double speed, double accuracy);
 
     radial::AnnularGap gap_;
     VortexCell cell_;
     laws::flow::AnyFlowLaw law_;
     double density_;
-    double accuracy_;
     double critical_reynolds_; ///< R omega d / nu of a Newtonian fluid
     std::vector<Level> levels_;
     std::size_t first_level_{}; ///< the coarsest one that holds the flow

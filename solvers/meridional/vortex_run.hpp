@@ -5,6 +5,7 @@
 #include "solvers/progress.hpp"
 #include "solvers/radial/annular_gap.hpp"
 
+#include <span>
 #include <vector>
 
 namespace searle::solvers::meridional {
@@ -28,11 +29,12 @@ struct VortexRun {
 /// @param law         without a yield stress
 /// @param density     kg/m^3, > 0
 /// @param disturbance  unevenness, 0 < disturbance << 1
-/// @param accuracy    asked-for relative error of the torque
+/// @param accuracies  asked-for relative error of each row's torque; as many as rows, at least one
 /// May throw Interrupted.
 [[nodiscard]] VortexRun vortex_run(const radial::AnnularGap& gap, double wavelength,
                                    const laws::flow::AnyFlowLaw& law, double density,
                                    double disturbance, const rheometry::SpeedHistory& history,
-                                   double accuracy, const ProgressSink& progress = {});
+                                   std::span<const double> accuracies,
+                                   const ProgressSink& progress = {});
 
 } // namespace searle::solvers::meridional

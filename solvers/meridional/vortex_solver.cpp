@@ -6,6 +6,7 @@
 #include "solvers/radial/transient_levels.hpp"
 #include "solvers/row_errors.hpp"
 #include "solvers/stability/taylor_threshold.hpp"
+#include "solvers/stability/vortex_torque.hpp"
 
 #include <fmt/format.h>
 
@@ -25,6 +26,14 @@ constexpr double shown = 1e-3;
 constexpr double near_onset = 0.9;
 /// What waves may change, as a share of what the vortices add.
 constexpr double wavy_share = 0.1;
+/// Share of that doubt which the vortices are solved to: no more can be had of them.
+constexpr double worthwhile = 0.1;
+/// Past about this multiple of the onset the flow is chaotic (11.7 in Fenstermacher, Swinney &
+/// Gollub 1979, J. Fluid Mech. 94, 103), later turbulent: nothing axisymmetric resembles it.
+constexpr double turbulent_ratio = 10.0;
+/// Of a torque taken from what was measured in turbulent flow: of a Newtonian fluid, of others.
+constexpr double newtonian_doubt = 0.2;
+constexpr double other_doubt = 0.5;
 
 struct VortexGap {
     radial::AnnularGap gap;
@@ -45,45 +54,106 @@ double wavelength_for(const Scene& scene, const radial::AnnularGap& gap) {
         2.0 * std::numbers::pi * gap.width() / stability::taylor_threshold(relative).wave_number);
 }
 
+bool is_free_choice(const Scene& scene) { return scene.solver.model == Model::automatic; }
+
+bool is_turbulent(const Scene& scene, const RowForecast& row) {
+    return is_free_choice(scene) && row.taylor_ratio > turbulent_ratio;
+}
+
+/// What is worth asking of axisymmetric vortices where waves may change what they add.
+double worthwhile_accuracy(const Scene& scene, const RowForecast& row) {
+    const double asked = scene.solver.accuracy;
+    if (!is_free_choice(scene) || row.taylor_ratio <= wavy_ratio) {
+        return asked;
+    }
+    const double added = 1.0 - 1.0 / std::sqrt(row.taylor_ratio);
+    return std::max(asked, worthwhile * wavy_share * added);
+}
+
+double laminar_torque(const Scene& scene, const VortexGap& outside, double speed) {
+    return outside.height *
+           radial::steady_gap_flow(outside.gap, scene.fluid.law, speed).torque_per_length;
+}
+
+/// Adds what turbulence was measured to add, and the doubt of it.
+void add_turbulence(const Scene& scene, const VortexGap& outside, const RowForecast& forecast,
+                    rheometry::TorqueRow& row) {
+    const double ratio = stability::vortex_torque_ratio(
+        outside.gap.width() / outside.gap.inner_radius, forecast.taylor_ratio);
+    const double laminar = laminar_torque(scene, outside, std::abs(row.speed));
+    const bool is_newtonian = std::holds_alternative<laws::flow::Newtonian>(scene.fluid.law);
+    row.torque += std::copysign((ratio - 1.0) * laminar, row.speed);
+    row.torque_error += (is_newtonian ? newtonian_doubt : other_doubt) * ratio * laminar;
+}
+
 void add_steady_vortices(const Scene& scene, const Plan& plan, const VortexGap& outside,
                          double wavelength, radial::RadialReport& report,
                          const ProgressSink& progress) {
-    SteadyVortices vortices(outside.gap, wavelength, scene.fluid.law, scene.fluid.density,
-                            0.5 * scene.solver.accuracy);
+    SteadyVortices vortices(outside.gap, wavelength, scene.fluid.law, scene.fluid.density);
     std::vector<rheometry::TorqueRow>& rows = report.history.rows;
     // By rising speed, so that each flow starts from the one before.
-    std::map<double, InertiaFactor> factors;
+    std::map<double, double> accuracies;
     for (const RowForecast& row : plan.rows) {
-        if (row.taylor_ratio > 1.0) {
-            factors[std::abs(row.speed)] = {};
+        if (row.taylor_ratio > 1.0 && !is_turbulent(scene, row)) {
+            accuracies[std::abs(row.speed)] = worthwhile_accuracy(scene, row);
         }
     }
-    for (auto& [speed, factor] : factors) {
-        factor = vortices.at(speed, progress);
+    std::map<double, InertiaFactor> factors;
+    for (const auto& [speed, accuracy] : accuracies) {
+        const InertiaFactor& factor = factors[speed] = vortices.at(speed, 0.5 * accuracy, progress);
         report.refinements = std::max(report.refinements, factor.levels);
         report.unknowns = std::max(report.unknowns, factor.unknowns);
     }
     report.linear_solves += vortices.factorisations();
-    for (rheometry::TorqueRow& row : rows) {
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        rheometry::TorqueRow& row = rows[k];
+        if (is_turbulent(scene, plan.rows[k])) {
+            add_turbulence(scene, outside, plan.rows[k], row);
+        }
         const auto found = factors.find(std::abs(row.speed));
         if (found == factors.end()) {
             continue;
         }
-        const double laminar =
-            outside.height *
-            radial::steady_gap_flow(outside.gap, scene.fluid.law, found->first).torque_per_length;
+        const double laminar = laminar_torque(scene, outside, found->first);
         row.torque += std::copysign((found->second.factor - 1.0) * laminar, row.speed);
         row.torque_error += found->second.relative_error * found->second.factor * laminar;
     }
+}
+
+/// The history up to its row number `count`, >= 1.
+rheometry::SpeedHistory first_rows(const rheometry::SpeedHistory& history, std::size_t count) {
+    rheometry::SpeedHistory part = history;
+    if (count >= part.row_times.size()) {
+        return part;
+    }
+    part.row_times.resize(count);
+    const double end = part.row_times.back();
+    std::erase_if(part.pieces, [end](const auto& piece) { return piece.start_time >= end; });
+    rheometry::SpeedHistory::Piece& last = part.pieces.back();
+    last.end_speed = history.speed_at(end);
+    last.end_time = end;
+    return part;
 }
 
 void add_growing_vortices(const Scene& scene, const Plan& plan,
                           const rheometry::SpeedHistory& history, const VortexGap& outside,
                           double wavelength, radial::RadialReport& report,
                           const ProgressSink& progress) {
-    const VortexRun run =
-        vortex_run(outside.gap, wavelength, scene.fluid.law, scene.fluid.density,
-                   scene.solver.disturbance, history, scene.solver.accuracy, progress);
+    // Up to the first turbulent row; from there on nothing is followed.
+    const std::size_t followed = static_cast<std::size_t>(
+        std::ranges::find_if(plan.rows,
+                             [&](const RowForecast& row) { return is_turbulent(scene, row); }) -
+        plan.rows.begin());
+    std::vector<double> accuracies;
+    for (std::size_t k = 0; k < followed; ++k) {
+        accuracies.push_back(worthwhile_accuracy(scene, plan.rows[k]));
+    }
+    VortexRun run;
+    if (followed > 0) {
+        run = vortex_run(outside.gap, wavelength, scene.fluid.law, scene.fluid.density,
+                         scene.solver.disturbance, first_rows(history, followed), accuracies,
+                         progress);
+    }
     // The cell's flow takes the place of the laminar one in the gap outside the rotor, shortly
     // before the first row past the onset; until then that one is known better.
     const std::vector<radial::RotorGap> gaps =
@@ -91,9 +161,15 @@ void add_growing_vortices(const Scene& scene, const Plan& plan,
     const radial::TransientTorque laminar = radial::solve_levels(
         {&gaps.back(), 1}, scene.fluid.law, history, scene.solver.accuracy, progress);
     std::vector<rheometry::TorqueRow>& rows = report.history.rows;
-    rows.resize(std::min({rows.size(), run.torque.size(), laminar.torque.size()}));
+    rows.resize(std::min(rows.size(), laminar.torque.size()));
+    if (run.torque.size() < followed) { // stuck
+        rows.resize(std::min(rows.size(), run.torque.size()));
+    }
+    for (std::size_t k = followed; k < rows.size(); ++k) {
+        add_turbulence(scene, outside, plan.rows[k], rows[k]);
+    }
     bool is_past = false;
-    for (std::size_t k = 0; k < rows.size(); ++k) {
+    for (std::size_t k = 0; k < std::min(followed, rows.size()); ++k) {
         is_past = is_past || plan.rows[k].taylor_ratio > near_onset;
         if (is_past) {
             rows[k].torque += outside.height * run.torque[k] - laminar.torque[k];
@@ -115,8 +191,9 @@ void add_growing_vortices(const Scene& scene, const Plan& plan,
 /// What lies beyond axisymmetric vortices.
 void doubt_waves(const Scene& scene, const Plan& plan, const radial::RadialReport& laminar,
                  radial::RadialReport& report) {
-    const bool is_free_choice = scene.solver.model == Model::automatic;
+    const bool is_doubted = is_free_choice(scene);
     std::size_t count = 0;
+    std::size_t turbulent = 0;
     double most = 0.0;
     for (std::size_t k = 0; k < report.history.rows.size(); ++k) {
         if (plan.rows[k].taylor_ratio <= wavy_ratio) {
@@ -124,7 +201,9 @@ void doubt_waves(const Scene& scene, const Plan& plan, const radial::RadialRepor
         }
         ++count;
         most = std::max(most, plan.rows[k].taylor_ratio);
-        if (is_free_choice) {
+        if (is_turbulent(scene, plan.rows[k])) {
+            ++turbulent;
+        } else if (is_doubted) {
             report.history.rows[k].torque_error +=
                 wavy_share *
                 std::abs(report.history.rows[k].torque - laminar.history.rows[k].torque);
@@ -135,9 +214,18 @@ void doubt_waves(const Scene& scene, const Plan& plan, const radial::RadialRepor
             "{} row{} past {:.2g} times the onset (up to {:.3g}): experiments see wavy, later "
             "turbulent vortices there, which are not axisymmetric{}.",
             count, count == 1 ? " lies" : "s lie", wavy_ratio, most,
-            is_free_choice ? "; a tenth of what the vortices add is in the error. model = "
-                             "\"axisymmetric\" asks for axisymmetric vortices"
-                           : ""));
+            is_doubted ? "; a tenth of what the vortices add is in the error. model = "
+                         "\"axisymmetric\" asks for axisymmetric vortices"
+                       : ""));
+    }
+    if (turbulent > 0) {
+        report.notes.push_back(fmt::format(
+            "At {} of them, past {:.3g} times the onset, the torque is not solved for: it is what "
+            "was measured in turbulent flow of Newtonian fluids (Wendt 1933), within {:.2g} %.",
+            turbulent, turbulent_ratio,
+            100.0 * (std::holds_alternative<laws::flow::Newtonian>(scene.fluid.law)
+                         ? newtonian_doubt
+                         : other_doubt)));
     }
 }
 
@@ -203,6 +291,34 @@ radial::RadialReport solve_with_vortices(const Scene& scene, const Plan& plan,
     report.worst_relative_error = worst_relative_error(report.history.rows);
     report.reached = report.worst_relative_error <= scene.solver.accuracy;
     return report;
+}
+
+void doubt_vortices_left_out(const Scene& scene, const Plan& plan, radial::RadialReport& report) {
+    const bool has_gap = std::holds_alternative<geometry::ConcentricCylinders>(scene.instrument) ||
+                         std::holds_alternative<geometry::DoubleGap>(scene.instrument);
+    if (!has_gap || geometry::has_ends(scene.instrument) || !is_free_choice(scene) ||
+        scene.solver.secondary_flow == Switch::off) {
+        return;
+    }
+    const VortexGap outside = gap_outside_rotor(scene.instrument);
+    const double relative_gap = outside.gap.width() / outside.gap.inner_radius;
+    bool is_doubted = false;
+    for (std::size_t k = 0; k < report.history.rows.size(); ++k) {
+        const double ratio = plan.rows[k].taylor_ratio;
+        if (ratio > 1.0) {
+            rheometry::TorqueRow& row = report.history.rows[k];
+            row.torque_error += (stability::vortex_torque_ratio(relative_gap, ratio) - 1.0) *
+                                laminar_torque(scene, outside, std::abs(row.speed));
+            is_doubted = true;
+        }
+    }
+    if (is_doubted) {
+        report.notes.emplace_back(
+            "With a yield stress vortices past the onset are not solved: the torque there is the "
+            "laminar one, and what vortices add to a Newtonian fluid's is in the error.");
+        report.worst_relative_error = worst_relative_error(report.history.rows);
+        report.reached = report.worst_relative_error <= scene.solver.accuracy;
+    }
 }
 
 } // namespace searle::solvers::meridional

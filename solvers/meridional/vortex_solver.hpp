@@ -15,4 +15,10 @@ namespace searle::solvers::meridional {
 [[nodiscard]] radial::RadialReport solve_with_vortices(const Scene& scene, const Plan& plan,
                                                        const ProgressSink& progress);
 
+/// For a gap past the onset whose vortices are not solved because the fluid has a yield stress: the
+/// torque stays the laminar one, and its error grows by what they may add
+/// (stability::vortex_torque_ratio). Leaves alone what was asked for without vortices
+/// (solver.model = "radial", secondary_flow = false).
+void doubt_vortices_left_out(const Scene& scene, const Plan& plan, radial::RadialReport& report);
+
 } // namespace searle::solvers::meridional

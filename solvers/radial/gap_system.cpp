@@ -15,8 +15,9 @@ constexpr double homotopy_factor = 0.15;
 constexpr int most_homotopy_steps = 20;
 /// A full Newton step is taken when the function's slope along it has fallen to this share.
 constexpr double accepted_slope = 0.5;
-/// Shift of the tangent's diagonal, relative to its largest entry: decides the otherwise free
-/// constant stress of a gap that is all plug (it stays what it was); too small to slow Newton down.
+/// Shift of the tangent's diagonal, relative to each entry (a thickening fluid at rest has entries
+/// of any size): decides the otherwise free constant stress of a gap that is all plug (it stays
+/// what it was); too small to slow Newton down.
 constexpr double shift = 1e-13;
 /// Largest growth of the flux in one iteration for laws that yield or bend.
 constexpr double most_growth = 4.0;
@@ -130,22 +131,18 @@ void GapSystem<Law>::assemble(const VelocityField& start, double theta, std::arr
 template <class Law>
 void GapSystem<Law>::factorise() {
     ++linear_solves_;
-    double largest = 0.0;
     for (std::size_t e = 0; e < element_.size(); ++e) {
         const auto& [left, right, bubble] = coupling_[e];
         diagonal_[e] -= left * left / bubble;
         diagonal_[e + 1] -= right * right / bubble;
         off_diagonal_[e] -= left * right / bubble;
     }
-    for (const double entry : diagonal_) {
-        largest = std::max(largest, entry);
-    }
-    const double added = shift * largest;
-    pivot_[0] = diagonal_[0] + added;
+    pivot_[0] = diagonal_[0] * (1.0 + shift);
     for (std::size_t e = 0; e < element_.size(); ++e) {
         factor_[e] = off_diagonal_[e] / pivot_[e];
         // The condensed tangent is positive definite; rounding must not turn a pivot negative.
-        pivot_[e + 1] = std::max(diagonal_[e + 1] + added - factor_[e] * off_diagonal_[e], added);
+        const double own = diagonal_[e + 1];
+        pivot_[e + 1] = std::max(own * (1.0 + shift) - factor_[e] * off_diagonal_[e], shift * own);
     }
 }
 
