@@ -34,7 +34,6 @@ bool needs_inertia(const Scene& scene, const Forecast& forecast) {
 }
 
 /// Secondary flow may be left out only when a few times its estimate is far below what was asked.
-/// The inertia of a fluid that is not Newtonian is solved together with it.
 bool needs_secondary_flow(const Scene& scene, const Forecast& forecast) {
     // Around a double gap's rotor there is no solver of it: its estimate goes to the error bars.
     const bool has_bob =
@@ -44,9 +43,7 @@ bool needs_secondary_flow(const Scene& scene, const Forecast& forecast) {
         return false;
     }
     constexpr double margin = 12.0;
-    const bool follows_time = needs_inertia(scene, forecast) && !is_newtonian(scene) &&
-                              laws::flow::yield_stress(scene.fluid.law) == 0.0;
-    return scene.solver.secondary_flow == Switch::on || follows_time ||
+    return scene.solver.secondary_flow == Switch::on ||
            std::any_of(forecast.facts.begin(), forecast.facts.end(), [&](const RowFacts& facts) {
                return margin * facts.end_flow_share > scene.solver.accuracy;
            });

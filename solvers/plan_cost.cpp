@@ -72,7 +72,10 @@ Cost axisymmetric_cost(const Scene& scene, const Forecast& forecast, bool transi
         newtonian || power_law
             ? 1.0
             : std::min(most_solutions, static_cast<double>(forecast.rows.size()));
-    const double inertia = newtonian && transient ? 2.0 * one : 0.0;
+    const double inertia = !transient  ? 0.0
+                           : newtonian ? 2.0 * one
+                           : yields    ? 15.0 * one
+                                       : 8.0 * one;
     // Secondary flow, as measured at 1e-3: a run in time, a solution.
     const double secondary =
         !secondary_flow ? 0.0

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <new>
 
 namespace searle::app {
@@ -19,6 +20,9 @@ struct Reason : std::runtime_error {
     Reason(Verdict verdict, const std::string& text)
         : std::runtime_error(fmt::format("{}: {}", name_of(verdict), text)) {}
 };
+
+/// What a truth may cost, over what the scene may take.
+constexpr double truth_share = 1.0;
 
 void check_finite(const SolvedCase& solved) {
     for (const rheometry::RheogramPoint& point : solved.rheogram.points)
@@ -35,13 +39,17 @@ std::string why_not_reached(const SolvedCase& solved) {
 }
 
 /// Verdict, worst ratio, largest claimed error, basis (0 digits, 1 series, 2 finer run, 3 none).
-std::vector<double> judged(const RandomCase& scene) {
+std::vector<double> judged(const RandomCase& scene, double limit) {
     std::vector<Case> cases = read_cases_text(scene.text, "scene.toml");
     if (cases.empty())
         throw Reason(Verdict::refused, "no case");
     // Of a mangled text that became a sweep the first case is run.
+    const std::clock_t begin = std::clock();
     const SolvedCase solved = solve_case(plan_case(std::move(cases.front()), StageClock()),
                                          [](double, std::string_view) {});
+    const double taken = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    if (taken > limit)
+        throw Reason(Verdict::hung, fmt::format("took {:.0f} s", taken));
     check_finite(solved);
     const Completeness completeness = completeness_of(solved);
     const double claimed = solved.solution.worst_relative_error;
@@ -52,7 +60,7 @@ std::vector<double> judged(const RandomCase& scene) {
         throw Reason(Verdict::crashed, "gave up without a reason");
     if (!scene.physical || solved.source.scene.particles)
         return {code, 0.0, claimed, 3.0};
-    const SceneTruth truth = truth_of(solved);
+    const SceneTruth truth = truth_of(solved, truth_share * limit);
     const auto& rows = solved.solution.history.rows;
     double worst = 0.0;
     for (std::size_t row = 0; row < std::min(rows.size(), truth.torque.size()); ++row) {
@@ -67,9 +75,9 @@ std::vector<double> judged(const RandomCase& scene) {
     return {worst > 1.0 ? static_cast<double>(Verdict::wrong) : code, worst, claimed, basis};
 }
 
-std::vector<double> told(const RandomCase& scene) {
+std::vector<double> told(const RandomCase& scene, double limit) {
     try {
-        return judged(scene);
+        return judged(scene, limit);
     } catch (const Reason&) {
         throw;
     } catch (const CaseError& error) {
@@ -114,17 +122,18 @@ bool is_failure(Verdict verdict) {
 }
 
 Trial try_scene(const RandomCase& scene, double limit, const bench::StopQuestion& stop) {
-    const bench::Ended ended = bench::work_apart([&scene] { return told(scene); }, limit, stop);
+    const double patience = (1.0 + truth_share) * limit;
+    const bench::Ended ended =
+        bench::work_apart([&scene, limit] { return told(scene, limit); }, 2.0 * patience, stop);
     Trial trial;
     trial.cpu = ended.cpu;
     if (ended.timed_out) {
         trial.verdict = Verdict::hung;
-        trial.reason = fmt::format("not done within {:.0f} s", limit);
+        trial.reason = fmt::format("not done within {:.0f} s", 2.0 * patience);
         return trial;
     }
     if (ended.values.size() == 4) {
-        static constexpr const char* bases[] = {"50 digits", "exact series", "a tenth of the error",
-                                                ""};
+        static constexpr const char* bases[] = {"50 digits", "exact series", "a finer run", ""};
         trial.verdict = static_cast<Verdict>(static_cast<int>(ended.values[0]));
         trial.worst_ratio = ended.values[1];
         trial.relative_error = ended.values[2];
@@ -134,7 +143,8 @@ Trial try_scene(const RandomCase& scene, double limit, const bench::StopQuestion
         return trial;
     }
     trial.reason = ended.fault;
-    for (const Verdict verdict : {Verdict::gave_up, Verdict::refused, Verdict::crashed})
+    for (const Verdict verdict :
+         {Verdict::gave_up, Verdict::refused, Verdict::crashed, Verdict::hung})
         if (ended.fault.starts_with(name_of(verdict))) {
             trial.verdict = verdict;
             trial.reason = ended.fault.substr(name_of(verdict).size() + 2);

@@ -14,7 +14,8 @@ struct SceneTruth {
     std::string basis;
 };
 
-/// @param solved  with rows that are finished
-[[nodiscard]] SceneTruth truth_of(const SolvedCase& solved);
+/// @param solved   with rows that are finished
+/// @param seconds  CPU time that a finer run may take; the rows it has by then are held to it
+[[nodiscard]] SceneTruth truth_of(const SolvedCase& solved, double seconds);
 
 } // namespace searle::app

@@ -3,6 +3,7 @@
 #include "rheometry/schedule.hpp"
 #include "solvers/axisymmetric/end_factor_curve.hpp"
 #include "solvers/axisymmetric/swirl_fields.hpp"
+#include "solvers/axisymmetric/swirl_history.hpp"
 #include "solvers/axisymmetric/swirl_level.hpp"
 #include "solvers/axisymmetric/swirl_response.hpp"
 #include "solvers/row_errors.hpp"
@@ -85,6 +86,42 @@ steady_fields(const SectionShape& shape, const Scene& scene,
         sections.push_back(std::move(section));
     }
     return sections;
+}
+
+/// Rows with inertia in place of the steady ones, for laws that are not Newtonian.
+void follow_swirl(const SectionShape& shape, const Scene& scene,
+                  const rheometry::SpeedHistory& history, AxisymmetricReport& report,
+                  const ProgressSink& progress) {
+    radial::RadialReport& solution = report.solution;
+    std::vector<rheometry::TorqueRow>& rows = solution.history.rows;
+    SwirlHistory swirl =
+        swirl_history(shape, scene.fluid.law, scene.fluid.density, history, scene.solver.accuracy,
+                      radial::rows_with_fields(scene.output, rows.size()), progress);
+    rows.resize(std::min(rows.size(), swirl.torque.size()));
+    report.end_factor.resize(rows.size());
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        rows[k].torque = swirl.torque[k];
+        rows[k].torque_error = swirl.error[k];
+    }
+    solution.transient = true;
+    solution.interrupted = swirl.interrupted;
+    solution.refinements = swirl.levels;
+    solution.elements = swirl.elements;
+    solution.unknowns = swirl.unknowns;
+    solution.time_steps = swirl.time_steps;
+    solution.linear_solves += swirl.newton_steps;
+    solution.fields = std::move(swirl.fields);
+    report.division = std::move(swirl.division);
+    if (!swirl.stopped.empty()) {
+        solution.notes.push_back("Swirl in time: " + swirl.stopped + ".");
+    }
+    if (swirl.rows_at_rest > 0) {
+        solution.notes.push_back(fmt::format(
+            "At rest the yield stress holds the fluid, and its flow law leaves the torque open "
+            "between plus and minus the yield torque: at {} row{} without speed the error bar "
+            "covers that range.",
+            swirl.rows_at_rest, swirl.rows_at_rest == 1 ? "" : "s"));
+    }
 }
 
 std::string range_text(const std::vector<double>& factors) {
@@ -188,15 +225,10 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
             solution.refinements = swirl.levels;
             solution.unknowns = swirl.unknowns;
             report.division = swirl.division;
+        } else if (plan.transient && !followed_in_time && !solution.interrupted) {
+            follow_swirl(shape, scene, *history, report, progress);
         } else if (!followed_in_time) {
             add_lag(plan, rows);
-            if (plan.transient) {
-                solution.notes.emplace_back(
-                    "Without secondary flow, and for a fluid with a yield stress, inertia in the "
-                    "whole section is solved for Newtonian fluids alone: here each row is a steady "
-                    "flow, and its error includes three times the inertia that the plan "
-                    "estimates.");
-            }
         }
     }
     if (!solution.transient && !solution.interrupted) {

@@ -89,11 +89,13 @@ struct EnergyMinimiser::Work {
     std::vector<Eigen::LLT<Eigen::MatrixXd>> inside;
     std::vector<Eigen::MatrixXd> coupling; ///< (inside, outline)
     std::vector<Eigen::VectorXd> inside_residual;
+    std::vector<Eigen::MatrixXd> mass; ///< of each element, where an InertiaTerm asked for them
 
     explicit Work(const SectionSpace& space);
     bool newton_step(const SectionSpace& space, const EnergyDensity& density,
                      const Eigen::MatrixXd& g, const Eigen::MatrixXd& flux,
-                     const Eigen::VectorXd& load, Eigen::VectorXd& step);
+                     const Eigen::VectorXd& load, const Eigen::VectorXd& values,
+                     const InertiaTerm* inertia, Eigen::VectorXd& step);
 };
 
 EnergyMinimiser::Work::Work(const SectionSpace& space) {
@@ -141,7 +143,8 @@ EnergyMinimiser::Work::Work(const SectionSpace& space) {
 
 bool EnergyMinimiser::Work::newton_step(const SectionSpace& space, const EnergyDensity& density,
                                         const Eigen::MatrixXd& g, const Eigen::MatrixXd& flux,
-                                        const Eigen::VectorXd& load, Eigen::VectorXd& step) {
+                                        const Eigen::VectorXd& load, const Eigen::VectorXd& values,
+                                        const InertiaTerm* inertia, Eigen::VectorXd& step) {
     const auto& elements = space.elements();
     const Index points = g.rows() / 2;
     const Index locals = elements.front().slope.cols();
@@ -156,6 +159,7 @@ bool EnergyMinimiser::Work::newton_step(const SectionSpace& space, const EnergyD
     Eigen::MatrixXd hessian(locals, locals);
     Eigen::VectorXd force(2 * points);
     Eigen::VectorXd local(locals);
+    Eigen::VectorXd away(locals);
     // A load on a shared node counts once, not once for each element around it.
     for (std::size_t node = 0; node < space.shared_unknown().size(); ++node) {
         if (space.shared_unknown()[node] >= 0) {
@@ -188,6 +192,14 @@ bool EnergyMinimiser::Work::newton_step(const SectionSpace& space, const EnergyD
         hessian.noalias() = element.slope.transpose() * weighted;
         force << (even * along_r).matrix(), (even * along_z).matrix();
         local.noalias() = -element.slope.transpose() * force;
+        if (inertia != nullptr) {
+            hessian += inertia->factor * mass[e];
+            for (Index k = 0; k < locals; ++k) {
+                const int node = element.node[static_cast<std::size_t>(k)];
+                away[k] = values[node] - inertia->centre[node];
+            }
+            local.noalias() -= inertia->factor * (mass[e] * away);
+        }
         for (Index k = 0; k < inner; ++k) {
             local[outline + k] += load[element.node[static_cast<std::size_t>(outline + k)]];
         }
@@ -244,8 +256,59 @@ EnergyMinimiser::EnergyMinimiser(const SectionSpace& space)
 
 EnergyMinimiser::~EnergyMinimiser() = default;
 
+void EnergyMinimiser::prepare_masses() {
+    if (!work_->mass.empty()) {
+        return;
+    }
+    for (const auto& element : space_.elements()) {
+        const Eigen::ArrayXd weight = element.weight * element.radius.square();
+        work_->mass.emplace_back(space_.values().transpose() * weight.matrix().asDiagonal() *
+                                 space_.values());
+    }
+}
+
+double EnergyMinimiser::inertia_product(const Eigen::VectorXd& one, const Eigen::VectorXd& other) {
+    prepare_masses();
+    const auto& elements = space_.elements();
+    Eigen::VectorXd left(elements.front().slope.cols());
+    Eigen::VectorXd right(left.size());
+    double sum = 0.0;
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+        for (Index k = 0; k < left.size(); ++k) {
+            const int node = elements[e].node[static_cast<std::size_t>(k)];
+            left[k] = one[node];
+            right[k] = other[node];
+        }
+        sum += left.dot(work_->mass[e] * right);
+    }
+    return sum;
+}
+
+double EnergyMinimiser::work_along(const EnergyDensity& density, const Eigen::VectorXd& values,
+                                   const Eigen::VectorXd& test) const {
+    const Eigen::MatrixXd g = gradients(space_, values);
+    const Eigen::MatrixXd along = gradients(space_, test);
+    const Index points = g.rows() / 2;
+    Eigen::ArrayXd secant(points);
+    Eigen::ArrayXd tangent(points);
+    double sum = 0.0;
+    for (Index e = 0; e < g.cols(); ++e) {
+        const auto r = g.col(e).head(points).array();
+        const auto z = g.col(e).tail(points).array();
+        density.slopes((r.square() + z.square()).sqrt(), secant, tangent);
+        sum += (space_.elements()[static_cast<std::size_t>(e)].weight * secant *
+                (r * along.col(e).head(points).array() + z * along.col(e).tail(points).array()))
+                   .sum();
+    }
+    return sum;
+}
+
 Minimised EnergyMinimiser::minimise(const EnergyDensity& density, const Eigen::VectorXd& load,
-                                    double tolerance, int most_steps, Eigen::VectorXd& values) {
+                                    double tolerance, int most_steps, Eigen::VectorXd& values,
+                                    const InertiaTerm* inertia) {
+    if (inertia != nullptr) {
+        prepare_masses();
+    }
     const auto& elements = space_.elements();
     const Index points = elements.front().slope.rows() / 2;
     Eigen::MatrixXd g = gradients(space_, values);
@@ -254,8 +317,12 @@ Minimised EnergyMinimiser::minimise(const EnergyDensity& density, const Eigen::V
     Eigen::ArrayXd size(points);
     Eigen::ArrayXd secant(points);
     Eigen::ArrayXd tangent(points);
+    // Of the InertiaTerm: its work, its slope at the start of a step and what that grows by.
+    double inertia_work = 0.0;
+    double inertia_slope = 0.0;
+    double inertia_bend = 0.0;
     const auto along = [&](double length, double load_step) {
-        Along sum{0.0, -load_step};
+        Along sum{inertia_work, inertia_slope + length * inertia_bend - load_step};
         for (std::size_t e = 0; e < elements.size(); ++e) {
             const auto column = static_cast<Index>(e);
             const Eigen::ArrayXd at = (g.col(column) + length * change.col(column)).array();
@@ -276,12 +343,18 @@ Minimised EnergyMinimiser::minimise(const EnergyDensity& density, const Eigen::V
     Eigen::MatrixXd flux = next_flux(density, g, still, still, g);
     Minimised result;
     for (result.steps = 0; result.steps < most_steps;) {
-        if (!work_->newton_step(space_, density, g, flux, load, step)) {
+        if (!work_->newton_step(space_, density, g, flux, load, values, inertia, step)) {
             return result;
         }
         ++result.steps;
         change = gradients(space_, step);
         const double load_step = load.dot(step);
+        if (inertia != nullptr) {
+            const Eigen::VectorXd away = values - inertia->centre;
+            inertia_work = inertia->factor * inertia_product(away, away);
+            inertia_slope = inertia->factor * inertia_product(away, step);
+            inertia_bend = inertia->factor * inertia_product(step, step);
+        }
         const Along start = along(0.0, load_step);
         if (!std::isfinite(start.slope)) {
             return result;

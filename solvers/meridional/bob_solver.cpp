@@ -185,7 +185,7 @@ void apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& rep
     for (rheometry::EndEffect& end : report.ends) {
         set_inertia(end, curve.at(end.speed));
     }
-    if (!report.solution.fields.empty()) {
+    if (!report.solution.fields.empty() && !report.solution.transient) {
         try {
             add_secondary_fields(scene, report, progress);
         } catch (const Interrupted&) {

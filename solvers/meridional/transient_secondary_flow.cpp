@@ -4,6 +4,7 @@
 #include "solvers/meridional/history_run.hpp"
 #include "solvers/meridional/steady_secondary_flow.hpp"
 #include "solvers/radial/annular_gap.hpp"
+#include "solvers/row_errors.hpp"
 
 #include <fmt/format.h>
 
@@ -42,24 +43,6 @@ double largest_of(const std::vector<double>& values) {
         largest = std::max(largest, std::abs(value));
     }
     return largest;
-}
-
-/// Change of each row from level to level, or of a neighbour where that is more: a row at which two
-/// levels happen to cross is not exact.
-std::vector<double> changes(const std::vector<double>& before, const std::vector<double>& after) {
-    const std::size_t rows = std::min(before.size(), after.size());
-    std::vector<double> change(rows);
-    for (std::size_t k = 0; k < rows; ++k) {
-        for (std::size_t near = k > 0 ? k - 1 : 0; near < std::min(k + 2, rows); ++near) {
-            const double scale = std::max(std::abs(after[k]), 1e-300);
-            const double of_near =
-                std::abs(after[near] - before[near]) / std::max(std::abs(after[near]), 1e-300);
-            // A neighbour's relative change counts; its absolute one may be of another size.
-            change[k] = std::max(change[k], std::min(of_near, 1.0) * scale);
-        }
-        change[k] = std::max(change[k], std::abs(after[k] - before[k]));
-    }
-    return change;
 }
 
 /// Torque of the creeping flow on a level, in the units of the system; 0 where it is not found.
@@ -159,7 +142,7 @@ TransientTorque transient_secondary_flow(const geometry::DinBob& bob,
                                        "time steps became too short",
                                        run.end_time);
             const std::vector<double> before = std::exchange(result.torque, torque);
-            const std::vector<double> change = changes(before, result.torque);
+            const std::vector<double> change = level_changes(before, result.torque);
             const double largest = largest_of(result.torque);
             double worst = result.levels == 1 ? 1.0 : 0.0;
             result.error.assign(result.torque.size(), largest);

@@ -27,6 +27,7 @@ public:
         const rheometry::SpeedHistory& history, const GapResolution& resolution)
         : shape_(shape), original_(original), history_(history),
           tolerance_(resolution.step_tolerance), steps_per_row_(resolution.steps_per_row),
+          most_solves_(resolution.most_solves),
           grid_(graded_grid(shape, resolution.layer, resolution.elements)),
           system_(shape, grid_, law) {
         const std::size_t count = system_.elements();
@@ -193,7 +194,8 @@ private:
             const double steps_left = std::ceil(left / std::min(step_, longest) * (1.0 - 1e-12));
             const double step =
                 steps_left > 1e9 ? std::min(step_, longest) : left / std::max(1.0, steps_left);
-            if (run_.steps + run_.rejected > most_steps || step < 1e-15 * left) {
+            if (run_.steps + run_.rejected > most_steps || step < 1e-15 * left ||
+                system_.linear_solves() > most_solves_) {
                 return false;
             }
             if (between_steps_ && (run_.steps + run_.rejected) % steps_between_calls == 0) {
@@ -298,6 +300,7 @@ private:
     const rheometry::SpeedHistory& history_;
     double tolerance_;
     int steps_per_row_;
+    long most_solves_;
     std::vector<double> grid_;
     GapSystem<Law> system_;
     GapRun run_;

@@ -5,6 +5,7 @@
 #include "solvers/radial/gap_grid.hpp"
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace searle::solvers::radial {
@@ -15,6 +16,7 @@ struct GapResolution {
     double layer{};          ///< thickness for graded_grid, m
     int steps_per_row = 1;   ///< at least so many steps from row to row
     double step_tolerance{}; ///< local error of the flux in a step, relative to the largest flux
+    long most_solves = std::numeric_limits<long>::max(); ///< linear ones, after which it gives up
 };
 
 struct FluxField;
@@ -29,7 +31,8 @@ using RowSink = std::function<void(std::size_t row, const GapRow&)>;
 
 /// A gap's transient at one resolution.
 struct GapRun {
-    bool finished{}; ///< false: a step could not be taken; the rows before it are good
+    bool finished{}; ///< false: a step could not be taken, or most_solves are over; the rows before
+                     ///< it are good
     long steps{};
     long rejected{};
     long linear_solves{};

@@ -1,0 +1,268 @@
+#include "solvers/axisymmetric/swirl_history.hpp"
+
+#include "solvers/axisymmetric/creeping_swirl.hpp"
+#include "solvers/axisymmetric/swirl_fields.hpp"
+#include "solvers/axisymmetric/swirl_stepper.hpp"
+#include "solvers/row_errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace searle::solvers::axisymmetric {
+namespace {
+
+constexpr int most_levels = 7;
+constexpr int first_degree = 3;
+constexpr int highest_degree = 9;
+constexpr double element_ratio = 0.15;
+/// Element next to the rotor over the gap at the first level, and what it falls by.
+constexpr double first_size = 0.1;
+constexpr double size_fall = 0.4;
+/// The first element holds the layer of momentum at the first row at least once.
+constexpr double layer_share = 1.0;
+/// Tolerance of a step over the accuracy at the first level, and what it falls by.
+constexpr double first_tolerance = 0.03;
+constexpr double tolerance_fall = 0.25;
+/// Rounding of the law at rest, over the rate at the rotor's wall at the fastest speed.
+constexpr double first_rounding = 3e-4;
+constexpr double rounding_fall = 0.25;
+constexpr double smooth_rounding = 1e-6; ///< of laws without a yield stress
+constexpr double safety = 2.0;
+constexpr double least_scale = 1e-3;
+/// First step after a kink or a jump, over the time to the next row.
+constexpr double first_step = 1e-4;
+/// Newton steps times unknowns that one further level may be expected to cost: some ten seconds.
+constexpr double most_work = 2e7;
+constexpr double level_growth = 4.0;
+
+struct Level {
+    std::vector<double> torque; ///< scaled
+    double steady{};            ///< scaled, at the fastest speed
+    bool complete{};
+    double stopped_at{};
+    long steps{};
+    long solves{};
+    std::vector<std::pair<std::size_t, Eigen::VectorXd>> kept; ///< row from 1, w over fastest speed
+};
+
+Level run_level(const SectionSpace& space, const SwirlLaw& law,
+                const SwirlStepper::Settings& settings, const rheometry::SpeedHistory& history,
+                std::span<const std::size_t> field_rows, const ProgressSink& progress,
+                const std::string& stage) {
+    SwirlStepper stepper(space, law, settings);
+    const double reference = history.fastest_speed();
+    Level level;
+    level.steady = stepper.steady_torque(1.0);
+    const auto stop = [&] {
+        level.stopped_at = stepper.time();
+        level.steps = stepper.steps();
+        level.solves = stepper.solves();
+        return std::move(level);
+    };
+    if (!stepper.start_steadily(history.initial_speed / reference)) {
+        return stop();
+    }
+    std::size_t row = 0;
+    for (const auto& piece : history.pieces) {
+        if (row == history.row_times.size()) {
+            break;
+        }
+        const double length = piece.end_time - piece.start_time;
+        const double to_row = std::min(length, history.row_times[row] - piece.start_time);
+        if (!stepper.begin(
+                {.start_time = piece.start_time,
+                 .speed = piece.start_speed / reference,
+                 .acceleration = (piece.end_speed - piece.start_speed) / length / reference},
+                first_step * to_row)) {
+            return stop();
+        }
+        for (;;) {
+            const bool has_row =
+                row < history.row_times.size() && history.row_times[row] <= piece.end_time;
+            const double target = has_row ? history.row_times[row] : piece.end_time;
+            while (stepper.time() < target) {
+                if (!stepper.step(target)) {
+                    return stop();
+                }
+                if (progress) {
+                    progress(stepper.time() / history.duration(), stage);
+                }
+            }
+            if (!has_row) {
+                break;
+            }
+            level.torque.push_back(stepper.torque());
+            ++row;
+            if (std::binary_search(field_rows.begin(), field_rows.end(), row)) {
+                level.kept.emplace_back(row, stepper.rotation());
+            }
+        }
+    }
+    level.complete = true;
+    return stop();
+}
+
+/// Width of the layer that momentum fills by the first row, m.
+double thinnest_layer(const SectionShape& shape, const laws::flow::AnyFlowLaw& law, double density,
+                      const rheometry::SpeedHistory& history) {
+    double thinnest = shape.unit();
+    std::size_t row = 0;
+    for (const auto& piece : history.pieces) {
+        while (row < history.row_times.size() && history.row_times[row] <= piece.start_time) {
+            ++row;
+        }
+        if (row == history.row_times.size()) {
+            break;
+        }
+        const double speed = std::max(std::abs(piece.start_speed),
+                                      std::abs(history.speed_at(history.row_times[row])));
+        if (speed > 0.0) {
+            const double rate = shape.wall_rate(law, speed);
+            const double diffusivity = laws::flow::stress(law, rate) / rate / density;
+            thinnest = std::min(
+                thinnest, std::sqrt(diffusivity * (history.row_times[row] - piece.start_time)));
+        }
+    }
+    return thinnest;
+}
+
+double gap_of(const SectionShape& shape) {
+    if (const auto* bob = shape.bob()) {
+        return bob->cup_radius - bob->bob_radius;
+    }
+    return shape.double_gap()->radii[3] - shape.double_gap()->radii[2];
+}
+
+/// Every interval across the gap and along the cylinder in two: a yield surface may lie anywhere.
+SectionLines halved(const SectionLines& lines) {
+    LineMarks marks;
+    for (std::size_t family = 0; family < line_families; ++family) {
+        const bool is_crossed = family == static_cast<std::size_t>(LineFamily::across_gap) ||
+                                family == static_cast<std::size_t>(LineFamily::below);
+        marks[family].assign(lines[family].empty() ? 0 : lines[family].size() - 1, is_crossed);
+    }
+    return refined(lines, marks, element_ratio);
+}
+
+} // namespace
+
+SwirlHistory swirl_history(const SectionShape& shape, const laws::flow::AnyFlowLaw& law,
+                           double density, const rheometry::SpeedHistory& history, double accuracy,
+                           std::span<const std::size_t> field_rows, const ProgressSink& progress) {
+    SwirlHistory result;
+    const double reference = history.fastest_speed();
+    const double wall_rate = shape.wall_rate(law, reference);
+    const SwirlLaw scaled(law, reference, wall_rate / reference);
+    const double scale = 2.0 * std::numbers::pi * std::pow(shape.unit(), 3) * scaled.stress_scale();
+    const bool yields = laws::flow::yield_stress(law) > 0.0;
+    SwirlStepper::Settings settings{
+        .tolerance = first_tolerance * accuracy,
+        .inertia = density * std::pow(shape.unit(), 2) * reference / scaled.stress_scale(),
+        .rounding = (yields ? first_rounding : smooth_rounding) * wall_rate / reference};
+    double size = std::min(first_size, layer_share * thinnest_layer(shape, law, density, history) /
+                                           gap_of(shape));
+    // What the elements at the rotor's edges miss is alike from level to level; the steady flow,
+    // whose torque is known within bounds, shows it.
+    const double exact = creeping_torque(shape, law, reference,
+                                         {.accuracy = 0.1 * accuracy, .certified = false}, progress)
+                             .torque /
+                         scale;
+    // What a fluid at rest carries: the torque of the slowest flow.
+    const double yield_torque =
+        yields ? creeping_torque(shape, law, 1e-6 * reference, {.accuracy = 1e-2}, progress).torque
+               : 0.0;
+    std::vector<double> change_before;
+    double work = 0.0;
+    try {
+        for (int number = 0; number < most_levels; ++number) {
+            const int degree = std::min(first_degree + number, highest_degree);
+            SectionLines lines = graded_lines(shape, {.smallest = size, .ratio = element_ratio});
+            for (int cut = 0; yields && cut < number / 3; ++cut) {
+                lines = halved(lines);
+            }
+            const SectionMesh mesh = section_of(shape, lines);
+            const SectionSpace space(mesh, Field::rotation, degree, degree + (yields ? 4 : 2));
+            if (number > 1 && level_growth * work > most_work) {
+                break;
+            }
+            Level level = run_level(space, scaled, settings, history, field_rows, progress,
+                                    fmt::format("swirl in time, level {}", number + 1));
+            result.newton_steps += level.solves;
+            work = static_cast<double>(level.solves) * static_cast<double>(space.unknowns());
+            if (!level.complete && number > 0) {
+                result.stopped = fmt::format("level {} could not be followed beyond t = {:.4g} s",
+                                             number + 1, level.stopped_at);
+                break;
+            }
+            result.levels = number + 1;
+            result.elements = static_cast<int>(mesh.elements.size());
+            result.unknowns = space.unknowns();
+            result.time_steps = level.steps;
+            result.division = {lines, degree};
+            const double correction = level.steady > 0.0 ? exact / level.steady : 1.0;
+            const std::vector<double> before = std::exchange(result.torque, {});
+            for (const double each : level.torque) {
+                result.torque.push_back(scale * correction * each);
+            }
+            double largest = 0.0;
+            for (const double each : result.torque) {
+                largest = std::max(largest, std::abs(each));
+            }
+            const std::vector<double> change = level_changes(before, result.torque);
+            result.error.assign(result.torque.size(), largest);
+            result.worst_relative_error = number == 0 ? 1.0 : 0.0;
+            result.rows_at_rest = 0;
+            for (std::size_t k = 0; k < change.size(); ++k) {
+                const bool stands = yields && history.speed_at(history.row_times[k]) == 0.0 &&
+                                    std::abs(result.torque[k]) <= 1.01 * yield_torque;
+                if (stands) {
+                    result.error[k] = std::abs(result.torque[k]) + yield_torque;
+                    ++result.rows_at_rest;
+                    continue;
+                }
+                // Two levels that agree by accident: a sixth of what they differed by before.
+                const double earlier = k < change_before.size() ? change_before[k] / 6.0 : 0.0;
+                result.error[k] = safety * std::max(change[k], earlier) +
+                                  std::abs((correction - 1.0) * result.torque[k]);
+                const double against = std::max(std::abs(result.torque[k]), least_scale * largest);
+                result.worst_relative_error = std::max(
+                    result.worst_relative_error, against > 0.0 ? result.error[k] / against : 0.0);
+            }
+            change_before = change;
+            result.fields.clear();
+            for (const auto& [row, rotation] : level.kept) {
+                auto section = swirl_fields({.mesh = mesh,
+                                             .length = shape.unit(),
+                                             .degree = degree,
+                                             .rotation = rotation,
+                                             .speed = reference,
+                                             .rate_scale = wall_rate},
+                                            law);
+                section.row = row;
+                section.time = history.row_times[row - 1];
+                section.speed = history.speed_at(section.time);
+                result.fields.push_back(std::move(section));
+            }
+            result.reached =
+                number > 0 && level.complete && result.worst_relative_error <= accuracy;
+            if (result.reached || !level.complete) {
+                break;
+            }
+            settings.tolerance *= tolerance_fall;
+            size *= size_fall;
+            if (yields) {
+                settings.rounding *= rounding_fall;
+            }
+        }
+    } catch (const Interrupted&) {
+        result.interrupted = true;
+        result.reached = false;
+    }
+    return result;
+}
+
+} // namespace searle::solvers::axisymmetric
