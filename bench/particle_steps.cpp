@@ -64,7 +64,7 @@ void contacts_alone(const char* name, double count, double fraction, double sque
         const int steps = static_cast<int>(4e6 / count) + 20;
         const double start = cpu_seconds();
         for (int k = 0; k < steps; ++k) {
-            if (list.is_stale_after(particles::kick_and_drift(p, step, 0.0, 1), 0.0))
+            if (list.is_stale_after(p, particles::kick_and_drift(p, step, 0.0, 1), 0.0))
                 list.rebuild(p, box);
             particles::clear_forces(p);
             contacts = forces->evaluate(p, box, list, step, false).contacts;

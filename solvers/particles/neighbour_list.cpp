@@ -44,11 +44,38 @@ int cell_of(double position, double length, int cells) {
 
 } // namespace
 
-bool NeighbourList::is_stale_after(double moved, double strain) {
+bool NeighbourList::is_stale_after(const ParticleStore& particles, double moved, double strain) {
     moved_ += moved;
     strain_ += strain;
+    if (rebuilds_ == 0)
+        return true;
+    if (!is_used_up())
+        return false;
+    moved_ = way_since_rebuild(particles);
+    return is_used_up();
+}
+
+bool NeighbourList::is_used_up() const {
     const double sheared = std::abs(strain_) * largest_distance_;
-    return rebuilds_ == 0 || sheared + 2.0 * moved_ * (1.0 + std::abs(strain_)) > skin_;
+    return sheared + 2.0 * moved_ * (1.0 + std::abs(strain_)) > skin_;
+}
+
+/// The longest way of a particle beside the mean shear, which carries it by strain times y.
+double NeighbourList::way_since_rebuild(const ParticleStore& particles) const {
+    const auto count = static_cast<long>(particles.size());
+    const double *x = particles.x.data(), *y = particles.y.data(), *z = particles.z.data();
+    const double *from_x = built_x.data(), *from_y = built_y.data(), *from_z = built_z.data();
+    const double strain = strain_;
+    double largest = 0.0;
+#pragma omp simd reduction(max : largest)
+    for (long i = 0; i < count; ++i) {
+        const double dx = x[i] - from_x[i] - strain * from_y[i];
+        const double dy = y[i] - from_y[i];
+        const double dz = z[i] - from_z[i];
+        const double squared = dx * dx + dy * dy + dz * dz;
+        largest = squared > largest ? squared : largest;
+    }
+    return std::sqrt(largest);
 }
 
 void NeighbourList::rebuild(ParticleStore& particles, ShearBox& box,
@@ -64,6 +91,9 @@ void NeighbourList::rebuild(ParticleStore& particles, ShearBox& box,
     find_pairs(particles, box);
     find_wall_neighbours(particles, box);
     restore(springs, particles);
+    built_x = particles.x;
+    built_y = particles.y;
+    built_z = particles.z;
     largest_distance_ = cell_size;
     moved_ = 0.0;
     strain_ = 0.0;

@@ -30,7 +30,7 @@ struct Collision {
         list.rebuild(p, box);
     }
     void advance() {
-        if (list.is_stale_after(kick_and_drift(p, step, 0.0, 1), 0.0))
+        if (list.is_stale_after(p, kick_and_drift(p, step, 0.0, 1), 0.0))
             list.rebuild(p, box);
         clear_forces(p);
         forces->evaluate(p, box, list, step, false);
@@ -159,7 +159,7 @@ TEST(HookeContact, energy_is_conserved_without_damping) {
     double worst = 0.0;
     long contacts = 0;
     for (int k = 0; k < 4000; ++k) {
-        if (list.is_stale_after(kick_and_drift(p, step, 0.0, 1), 0.0))
+        if (list.is_stale_after(p, kick_and_drift(p, step, 0.0, 1), 0.0))
             list.rebuild(p, box);
         clear_forces(p);
         contacts += forces->evaluate(p, box, list, step, false).contacts;
