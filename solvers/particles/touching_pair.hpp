@@ -28,14 +28,16 @@ struct TouchForce {
 };
 
 /// Hooke's law for one contact; moves the tangential spring (sx, sy, sz) by `step`. The spring is
-/// kept in the tangent plane and cut back to Coulomb's limit while the contact slides.
-inline TouchForce touch_force(const laws::contact::Hooke& law, const Touch& t, double step,
-                              double& sx, double& sy, double& sz) {
+/// kept in the tangent plane and cut back to Coulomb's limit while the contact slides. Without
+/// jumps, so that a loop over contacts becomes a vector loop.
+template <bool friction, bool rolling>
+TouchForce touch_force(const laws::contact::Hooke& law, const Touch& t, double step, double& sx,
+                       double& sy, double& sz) {
     TouchForce out{};
     const double gamma = law.normal_damping(t.reduced_mass);
     const double separating = t.vx * t.nx + t.vy * t.ny + t.vz * t.nz;
     out.normal = law.normal_force(t.overlap, separating, gamma);
-    if (law.friction == 0.0)
+    if constexpr (!friction)
         return out;
     const double wx = t.lever_first * t.wx1 + t.lever_second * t.wx2;
     const double wy = t.lever_first * t.wy1 + t.lever_second * t.wy2;
@@ -57,18 +59,18 @@ inline TouchForce touch_force(const laws::contact::Hooke& law, const Touch& t, d
     out.tz = -stiffness * sz - dashpot * sliding_z;
     const double size = std::sqrt(out.tx * out.tx + out.ty * out.ty + out.tz * out.tz);
     const double limit = law.friction * std::abs(out.normal);
-    if (size > limit) {
-        const double share = limit / size;
-        out.tx *= share;
-        out.ty *= share;
-        out.tz *= share;
-        if (stiffness > 0.0) {
-            sx = -(out.tx + dashpot * sliding_x) / stiffness;
-            sy = -(out.ty + dashpot * sliding_y) / stiffness;
-            sz = -(out.tz + dashpot * sliding_z) / stiffness;
-        }
-    }
-    if (law.rolling_friction > 0.0) {
+    const bool slides = size > limit;
+    const double share = slides ? limit / size : 1.0;
+    out.tx *= share;
+    out.ty *= share;
+    out.tz *= share;
+    // Without a spring nothing is to be cut back.
+    const bool cut = slides && stiffness > 0.0;
+    const double softness = stiffness > 0.0 ? 1.0 / stiffness : 0.0;
+    sx = cut ? -(out.tx + dashpot * sliding_x) * softness : sx;
+    sy = cut ? -(out.ty + dashpot * sliding_y) * softness : sy;
+    sz = cut ? -(out.tz + dashpot * sliding_z) * softness : sz;
+    if constexpr (rolling) {
         // A constant torque against the rolling (Ai et al. 2011, Powder Technol. 206, 269, type A),
         // viscous below it, so that it does not jump at rest.
         const double ux = t.wx2 - t.wx1;
@@ -88,6 +90,16 @@ inline TouchForce touch_force(const laws::contact::Hooke& law, const Touch& t, d
         out.rz = -factor * rolling_z;
     }
     return out;
+}
+
+/// The same, of whatever the law has.
+inline TouchForce touch_force(const laws::contact::Hooke& law, const Touch& t, double step,
+                              double& sx, double& sy, double& sz) {
+    if (law.friction == 0.0)
+        return touch_force<false, false>(law, t, step, sx, sy, sz);
+    if (law.rolling_friction == 0.0)
+        return touch_force<true, false>(law, t, step, sx, sy, sz);
+    return touch_force<true, true>(law, t, step, sx, sy, sz);
 }
 
 } // namespace searle::solvers::particles
