@@ -1,5 +1,7 @@
 #include "solvers/particles/neighbour_list.hpp"
 
+#include "solvers/particles/pair_search.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -138,67 +140,56 @@ void NeighbourList::sort(ParticleStore& particles, const ShearBox& box, double c
 }
 
 void NeighbourList::find_pairs(const ParticleStore& p, const ShearBox& box) {
-    first.clear();
-    second.clear();
-    const NearestImage nearest(box);
-    const double margin = reach_ + skin_;
-    const auto scan = [&](int i, int begin, int end) {
-        const auto at = static_cast<std::size_t>(i);
-        for (int j = begin; j < end; ++j) {
-            const auto other = static_cast<std::size_t>(j);
-            double dx = p.x[other] - p.x[at];
-            double dy = p.y[other] - p.y[at];
-            double dz = p.z[other] - p.z[at];
-            nearest(dx, dy, dz);
-            const double limit = p.radius[at] + p.radius[other] + margin;
-            if (dx * dx + dy * dy + dz * dz < limit * limit) {
-                first.push_back(std::min(i, j));
-                second.push_back(std::max(i, j));
-            }
-        }
-    };
+    PairSearch search(p, box, reach_ + skin_, first, second);
     // With fewer cells a neighbour would be met twice; then every pair is looked at.
     const int least_x = box.walls ? 3 : 5;
     if (cells_x_ < least_x || cells_z_ < 3 || (!box.walls && cells_y_ < 3)) {
-        for (int i = 0; i < static_cast<int>(p.size()); ++i)
-            scan(i, i + 1, static_cast<int>(p.size()));
+        search.start();
+        search.add_candidates(0, static_cast<int>(p.size()));
+        search.find(0, static_cast<int>(p.size()));
         return;
     }
     // Of each cell: itself, the next in x, and the rows of half of the neighbours.
     constexpr int rows[4][2] = {{1, 0}, {-1, 1}, {0, 1}, {1, 1}};
     const int shift = static_cast<int>(std::floor(box.image_offset / box.length_x * cells_x_));
+    // Cells low ... high of a row, which goes on at its start; neighbours in x are one range.
+    const auto add_row = [&](int iy, int iz, int low, int high) {
+        const int row = (iz * cells_y_ + iy) * cells_x_;
+        const auto add = [&](int from, int to) {
+            search.add_candidates(cell_start_[static_cast<std::size_t>(row + from)],
+                                  cell_start_[static_cast<std::size_t>(row + to)]);
+        };
+        low = (low % cells_x_ + cells_x_) % cells_x_;
+        high = (high % cells_x_ + cells_x_) % cells_x_;
+        if (low <= high)
+            return add(low, high + 1);
+        add(low, cells_x_);
+        add(0, high + 1);
+    };
     for (int at_z = 0; at_z < cells_z_; ++at_z)
         for (int at_y = 0; at_y < cells_y_; ++at_y)
             for (int at_x = 0; at_x < cells_x_; ++at_x) {
-                const auto index = [&](int ix, int iy, int iz) {
-                    return static_cast<std::size_t>((iz * cells_y_ + iy) * cells_x_ + ix);
-                };
-                const std::size_t own = index(at_x, at_y, at_z);
-                const std::size_t after = index((at_x + 1) % cells_x_, at_y, at_z);
-                for (int i = cell_start_[own]; i < cell_start_[own + 1]; ++i) {
-                    scan(i, i + 1, cell_start_[own + 1]);
-                    scan(i, cell_start_[after], cell_start_[after + 1]);
-                    for (const auto& row : rows) {
-                        int iy = at_y + row[0];
-                        const int iz = (at_z + row[1] + cells_z_) % cells_z_;
-                        int low = -1;
-                        int high = 1;
-                        if (iy < 0 || iy >= cells_y_) {
-                            if (box.walls)
-                                continue;
-                            // The image above stands image_offset ahead.
-                            const bool up = iy >= cells_y_;
-                            low = (up ? -shift : shift) - (up ? 2 : 1);
-                            high = (up ? -shift : shift) + (up ? 1 : 2);
-                            iy = up ? 0 : cells_y_ - 1;
-                        }
-                        for (int step = low; step <= high; ++step) {
-                            const int ix = ((at_x + step) % cells_x_ + cells_x_) % cells_x_;
-                            const std::size_t cell = index(ix, iy, iz);
-                            scan(i, cell_start_[cell], cell_start_[cell + 1]);
-                        }
+                const auto own =
+                    static_cast<std::size_t>((at_z * cells_y_ + at_y) * cells_x_ + at_x);
+                if (cell_start_[own] == cell_start_[own + 1])
+                    continue;
+                search.start();
+                search.add_candidates(cell_start_[own], cell_start_[own + 1]);
+                add_row(at_y, at_z, at_x + 1, at_x + 1);
+                for (const auto& row : rows) {
+                    int iy = at_y + row[0];
+                    const int iz = (at_z + row[1] + cells_z_) % cells_z_;
+                    if (iy >= 0 && iy < cells_y_) {
+                        add_row(iy, iz, at_x - 1, at_x + 1);
+                    } else if (!box.walls) {
+                        // The image above stands image_offset ahead.
+                        const bool up = iy >= cells_y_;
+                        const int ahead = at_x + (up ? -shift : shift);
+                        iy = up ? 0 : cells_y_ - 1;
+                        add_row(iy, iz, ahead - (up ? 2 : 1), ahead + (up ? 1 : 2));
                     }
                 }
+                search.find(cell_start_[own], cell_start_[own + 1]);
             }
 }
 

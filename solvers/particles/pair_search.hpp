@@ -1,0 +1,103 @@
+#pragma once
+
+#include "solvers/particles/aligned_vector.hpp"
+#include "solvers/particles/particle_store.hpp"
+#include "solvers/particles/shear_box.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace searle::solvers::particles {
+
+/// Writes down the pairs of a cell's particles with all that may be near them. These are copied
+/// side by side once for the cell, so that each of its particles looks at them in whole vector
+/// registers.
+class PairSearch {
+public:
+    /// @param margin surface distance up to which two are a pair, m
+    PairSearch(const ParticleStore& particles, const ShearBox& box, double margin,
+               AlignedVector<int>& first, AlignedVector<int>& second)
+        : p_(particles), nearest_(box), margin_(margin), first_(first), second_(second) {}
+    ~PairSearch() {
+        first_.resize(found_);
+        second_.resize(found_);
+    }
+    PairSearch(const PairSearch&) = delete;
+    PairSearch& operator=(const PairSearch&) = delete;
+
+    /// A new cell.
+    void start() { count_ = 0; }
+
+    void add_candidates(int begin, int end) {
+        const auto more = static_cast<std::size_t>(end - begin);
+        const std::size_t needed = count_ + more;
+        if (needed + lanes > index_.size())
+            for (Column* column : {&x_, &y_, &z_, &radius_, &excess_})
+                column->resize(2 * needed + lanes);
+        index_.resize(x_.size());
+        const auto from = static_cast<std::size_t>(begin);
+        for (std::size_t m = 0; m < more; ++m) {
+            x_[count_ + m] = p_.x[from + m];
+            y_[count_ + m] = p_.y[from + m];
+            z_[count_ + m] = p_.z[from + m];
+            radius_[count_ + m] = p_.radius[from + m];
+            index_[count_ + m] = begin + static_cast<int>(m);
+        }
+        count_ = needed;
+    }
+
+    /// Pairs of begin ... end - 1, which must be the first candidates, with the later candidates.
+    void find(int begin, int end) {
+        for (int i = begin; i < end; ++i)
+            find_partners(i, static_cast<std::size_t>(i - begin) + 1);
+    }
+
+private:
+    static constexpr std::size_t lanes = 8;
+
+    void find_partners(int i, std::size_t from) {
+        const auto at = static_cast<std::size_t>(i);
+        const double x = p_.x[at], y = p_.y[at], z = p_.z[at];
+        const double own = p_.radius[at] + margin_;
+        const double *cx = x_.data(), *cy = y_.data(), *cz = z_.data(), *radius = radius_.data();
+        double* excess = excess_.data();
+        const NearestImage nearest = nearest_;
+        // Whole registers; what lies before `from` or beyond the candidates is not looked at below.
+        const std::size_t padded = (count_ + lanes - 1) / lanes * lanes;
+#pragma omp simd
+        for (std::size_t m = from / lanes * lanes; m < padded; ++m) {
+            double dx = cx[m] - x;
+            double dy = cy[m] - y;
+            double dz = cz[m] - z;
+            nearest(dx, dy, dz);
+            const double limit = own + radius[m];
+            excess[m] = dx * dx + dy * dy + dz * dz - limit * limit;
+        }
+        if (found_ + count_ > first_.size()) {
+            first_.resize(2 * (found_ + count_));
+            second_.resize(2 * (found_ + count_));
+        }
+        int *first = first_.data(), *second = second_.data();
+        const int* index = index_.data();
+        std::size_t found = found_;
+        for (std::size_t m = from; m < count_; ++m) {
+            first[found] = std::min(i, index[m]);
+            second[found] = std::max(i, index[m]);
+            found += excess[m] < 0.0 ? 1 : 0;
+        }
+        found_ = found;
+    }
+
+    const ParticleStore& p_;
+    NearestImage nearest_;
+    double margin_;
+    AlignedVector<int>& first_;
+    AlignedVector<int>& second_;
+    std::size_t found_ = 0;
+    Column x_, y_, z_, radius_; ///< of the candidates
+    Column excess_;             ///< squared distance over the limit's square
+    AlignedVector<int> index_;
+    std::size_t count_ = 0;
+};
+
+} // namespace searle::solvers::particles
