@@ -1,150 +1,53 @@
 #include "solvers/particles/contact_pairs.hpp"
 
-#include "solvers/particles/touching_pair.hpp"
+#include "solvers/particles/contact_block.hpp"
+#include "solvers/particles/lanes.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <cstring>
 
 namespace searle::solvers::particles {
 namespace {
 
-/// Pairs at a time: what the loops below hand to each other stays in the fastest cache.
-constexpr int block = 64;
-constexpr int lanes = 8;
+using Block = ContactBlock;
+constexpr int lanes = Block::lanes;
 
-struct alignas(64) Lane {
-    double at[block];
-    double& operator[](int m) { return at[m]; }
-    double operator[](int m) const { return at[m]; }
-};
-
-/// A block of touching pairs. Reading particles and adding to them jumps about in memory, and two
-/// pairs may add to one particle: both are loops over pairs one by one, the law between them is a
-/// loop over whole vector registers.
-struct Block {
-    Lane rx, ry, rz;       ///< from the first to the second, m
-    Lane vx, vy, vz;       ///< of the second less the first, m/s
-    Lane wx1, wy1, wz1;    ///< angular velocities, 1/s
-    Lane wx2, wy2, wz2;    //
-    Lane radius1, radius2; ///< m
-    Lane mass1, mass2;     ///< kg
-    Lane sx, sy, sz;       ///< springs, m
-    Lane overlap;          ///< m
-    Lane fx, fy, fz;       ///< on the second, N
-    Lane tx1, ty1, tz1;    ///< on the first, N m
-    Lane tx2, ty2, tz2;    ///< on the second
-    int first[block], second[block];
-};
-
+/// Pairs from the particles' columns.
 template <bool friction>
-void read(Block& b, const ParticleStore& p, const NeighbourList& list, const int* pairs,
-          int count) {
-    const int *first = list.first.data(), *second = list.second.data();
+void read(Block& b, const ParticleStore& p, const int* first, const int* second, int count) {
     const double *x = p.x.data(), *y = p.y.data(), *z = p.z.data();
     const double *vx = p.vx.data(), *vy = p.vy.data(), *vz = p.vz.data();
     const double *wx = p.wx.data(), *wy = p.wy.data(), *wz = p.wz.data();
     const double *radius = p.radius.data(), *mass = p.mass.data();
-    const double *sx = list.spring_x.data(), *sy = list.spring_y.data();
-    const double* sz = list.spring_z.data();
     for (int m = 0; m < count; ++m) {
-        const int k = pairs[m];
-        const int i = first[k];
-        const int j = second[k];
-        b.first[m] = i;
-        b.second[m] = j;
-        b.rx[m] = x[j] - x[i];
-        b.ry[m] = y[j] - y[i];
-        b.rz[m] = z[j] - z[i];
+        const int i = first[m];
+        const int j = second[m];
+        b.dx[m] = x[j] - x[i];
+        b.dy[m] = y[j] - y[i];
+        b.dz[m] = z[j] - z[i];
         b.vx[m] = vx[j] - vx[i];
         b.vy[m] = vy[j] - vy[i];
         b.vz[m] = vz[j] - vz[i];
-        b.radius1[m] = radius[i];
-        b.radius2[m] = radius[j];
-        b.mass1[m] = mass[i];
-        b.mass2[m] = mass[j];
+        b.radii_apart[m] = radius[j] - radius[i];
+        b.radii[m] = radius[j] + radius[i];
+        b.inverse_masses[m] = 1.0 / mass[j] + 1.0 / mass[i];
         if constexpr (friction) {
-            b.wx1[m] = wx[i];
-            b.wy1[m] = wy[i];
-            b.wz1[m] = wz[i];
-            b.wx2[m] = wx[j];
-            b.wy2[m] = wy[j];
-            b.wz2[m] = wz[j];
-            b.sx[m] = sx[k];
-            b.sy[m] = sy[k];
-            b.sz[m] = sz[k];
-        }
-    }
-}
-
-template <bool friction, bool rolling>
-void act(Block& b, const laws::contact::Hooke& law, const NearestImage& nearest, double step,
-         int count) {
-    // Whole registers: what lies beyond `count` is of the block before, and nobody reads it.
-    const int padded = (count + lanes - 1) / lanes * lanes;
-#pragma omp simd
-    for (int m = 0; m < padded; ++m) {
-        double dx = b.rx[m];
-        double dy = b.ry[m];
-        double dz = b.rz[m];
-        const double crossings = nearest(dx, dy, dz);
-        const double r = std::sqrt(dx * dx + dy * dy + dz * dz);
-        const double inverse = 1.0 / r;
-        const double overlap = b.radius1[m] + b.radius2[m] - r;
-        const Touch touch{.nx = dx * inverse,
-                          .ny = dy * inverse,
-                          .nz = dz * inverse,
-                          .overlap = overlap,
-                          .vx = b.vx[m] - crossings * nearest.speed,
-                          .vy = b.vy[m],
-                          .vz = b.vz[m],
-                          .lever_first = b.radius1[m] - 0.5 * overlap,
-                          .lever_second = b.radius2[m] - 0.5 * overlap,
-                          .wx1 = b.wx1[m],
-                          .wy1 = b.wy1[m],
-                          .wz1 = b.wz1[m],
-                          .wx2 = b.wx2[m],
-                          .wy2 = b.wy2[m],
-                          .wz2 = b.wz2[m],
-                          .reduced_mass = b.mass1[m] * b.mass2[m] / (b.mass1[m] + b.mass2[m]),
-                          .rolling_radius =
-                              rolling ? b.radius1[m] * b.radius2[m] / (b.radius1[m] + b.radius2[m])
-                                      : 0.0};
-        double sx = b.sx[m];
-        double sy = b.sy[m];
-        double sz = b.sz[m];
-        const TouchForce f = touch_force<friction, rolling>(law, touch, step, sx, sy, sz);
-        b.rx[m] = dx;
-        b.ry[m] = dy;
-        b.rz[m] = dz;
-        b.overlap[m] = overlap;
-        b.fx[m] = f.normal * touch.nx + f.tx;
-        b.fy[m] = f.normal * touch.ny + f.ty;
-        b.fz[m] = f.normal * touch.nz + f.tz;
-        if constexpr (friction) {
-            b.sx[m] = sx;
-            b.sy[m] = sy;
-            b.sz[m] = sz;
-            const double cx = touch.ny * f.tz - touch.nz * f.ty;
-            const double cy = touch.nz * f.tx - touch.nx * f.tz;
-            const double cz = touch.nx * f.ty - touch.ny * f.tx;
-            b.tx1[m] = touch.lever_first * cx + f.rx;
-            b.ty1[m] = touch.lever_first * cy + f.ry;
-            b.tz1[m] = touch.lever_first * cz + f.rz;
-            b.tx2[m] = touch.lever_second * cx - f.rx;
-            b.ty2[m] = touch.lever_second * cy - f.ry;
-            b.tz2[m] = touch.lever_second * cz - f.rz;
+            b.spin_x[m] = wx[j] - wx[i];
+            b.spin_y[m] = wy[j] - wy[i];
+            b.spin_z[m] = wz[j] - wz[i];
+            b.wx[m] = wx[j] + wx[i];
+            b.wy[m] = wy[j] + wy[i];
+            b.wz[m] = wz[j] + wz[i];
         }
     }
 }
 
 template <bool friction>
-void write(const Block& b, const ForceColumns& to, NeighbourList& list, const int* pairs,
-           int count) {
-    double *sx = list.spring_x.data(), *sy = list.spring_y.data(), *sz = list.spring_z.data();
+void write(const Block& b, const ForceColumns& to, const int* first, const int* second, int count) {
     for (int m = 0; m < count; ++m) {
-        const int i = b.first[m];
-        const int j = b.second[m];
+        const int i = first[m];
+        const int j = second[m];
         to.fx[i] -= b.fx[m];
         to.fy[i] -= b.fy[m];
         to.fz[i] -= b.fz[m];
@@ -155,84 +58,265 @@ void write(const Block& b, const ForceColumns& to, NeighbourList& list, const in
             to.tx[i] -= b.tx1[m];
             to.ty[i] -= b.ty1[m];
             to.tz[i] -= b.tz1[m];
-            to.tx[j] -= b.tx2[m];
-            to.ty[j] -= b.ty2[m];
-            to.tz[j] -= b.tz2[m];
-            const int k = pairs[m];
-            sx[k] = b.sx[m];
-            sy[k] = b.sy[m];
-            sz[k] = b.sz[m];
+            to.tx[j] += b.tx2[m];
+            to.ty[j] += b.ty2[m];
+            to.tz[j] += b.tz2[m];
         }
     }
 }
 
-void note_deepest(const Block& b, const ParticleStore& p, int count, PairSums& sums) {
-    double deepest = sums.largest_overlap;
-#pragma omp simd reduction(max : deepest)
-    for (int m = 0; m < count; ++m)
-        deepest = b.overlap[m] > deepest ? b.overlap[m] : deepest;
-    if (deepest <= sums.largest_overlap)
-        return;
-    const int m =
-        static_cast<int>(std::find(b.overlap.at, b.overlap.at + count, deepest) - b.overlap.at);
-    sums.largest_overlap = deepest;
-    sums.deepest_first = p.id[static_cast<std::size_t>(b.first[m])];
-    sums.deepest_second = p.id[static_cast<std::size_t>(b.second[m])];
+void store_columns(const Lanes (&columns)[8], int at, std::initializer_list<double*> to) {
+    int c = 0;
+    for (double* values : to)
+        store(columns[c++], values + at);
 }
 
-template <bool friction, bool rolling>
-void add(const laws::contact::Hooke& law, const ParticleStore& p, const ShearBox& box,
-         NeighbourList& list, const AlignedVector<int>& touching, const ForceColumns& forces,
-         double step, bool sampling, PairSums& sums) {
-    const NearestImage nearest(box);
-    const int total = static_cast<int>(touching.size());
-    Block b{};
-    for (int start = 0; start < total; start += block) {
-        const int count = std::min(block, total - start);
-        const int* pairs = touching.data() + start;
-        read<friction>(b, p, list, pairs, count);
-        act<friction, rolling>(b, law, nearest, step, count);
-        write<friction>(b, forces, list, pairs, count);
-        note_deepest(b, p, count, sums);
-        if (sampling)
-            add_virial(sums.contact, b.rx.at, b.ry.at, b.rz.at, b.fx.at, b.fy.at, b.fz.at, count);
+void load_columns(Lanes (&columns)[8], int at, std::initializer_list<const double*> from) {
+    int c = 0;
+    for (const double* values : from)
+        load(columns[c++], values + at);
+}
+
+void count_contacts(const Block& b, const ParticleStore& p, const int* first, const int* second,
+                    int count, PairSums& sums) {
+    double deepest = sums.largest_overlap;
+    int contacts = 0;
+#pragma omp simd reduction(max : deepest) reduction(+ : contacts)
+    for (int m = 0; m < count; ++m) {
+        deepest = b.overlap[m] > deepest ? b.overlap[m] : deepest;
+        contacts += b.overlap[m] > 0.0 ? 1 : 0;
     }
+    sums.contacts += contacts;
+    if (deepest <= sums.largest_overlap)
+        return;
+    const auto m = std::find(b.overlap, b.overlap + count, deepest) - b.overlap;
+    sums.largest_overlap = deepest;
+    sums.deepest_first = p.id[static_cast<std::size_t>(first[m])];
+    sums.deepest_second = p.id[static_cast<std::size_t>(second[m])];
 }
 
 } // namespace
 
-void add_contact_forces(const laws::contact::Hooke& law, const ParticleStore& particles,
-                        const ShearBox& box, NeighbourList& list,
-                        const AlignedVector<int>& touching, const ForceColumns& forces, double step,
-                        bool sampling, PairSums& sums) {
-    if (touching.empty())
+void ContactPairs::start_rows(const ParticleStore& p, int begin) {
+    rows_.begin = rows_.end = begin / lanes * lanes;
+    rows_.state.resize(16 * p.size());
+    rows_.force.resize(8 * p.size());
+}
+
+/// Rows for the particles before `until`, and some more. Called as blocks of pairs need them, which
+/// finds them in a near cache: the list goes through the particles in their order.
+void ContactPairs::fill_rows(const ParticleStore& p, const ForceColumns& forces, int until) {
+    if (until <= rows_.end)
         return;
-    if (law.friction == 0.0)
-        add<false, false>(law, particles, box, list, touching, forces, step, sampling, sums);
-    else if (law.rolling_friction == 0.0)
-        add<true, false>(law, particles, box, list, touching, forces, step, sampling, sums);
+    const int begin = rows_.end;
+    const int end = std::min(until + 8 * lanes, static_cast<int>(p.size()));
+    rows_.end = end < static_cast<int>(p.size()) ? end / lanes * lanes : end;
+    const double *x = p.x.data(), *y = p.y.data(), *z = p.z.data();
+    const double *vx = p.vx.data(), *vy = p.vy.data(), *vz = p.vz.data();
+    const double *wx = p.wx.data(), *wy = p.wy.data(), *wz = p.wz.data();
+    const double *radius = p.radius.data(), *mass = p.mass.data();
+    double* state = rows_.state.data();
+    double* force = rows_.force.data();
+    // Eight particles at a time; the columns' own ends are read one by one.
+    for (int i = begin; i < rows_.end; i += lanes) {
+        Lanes a[8], b[8], f[8];
+        if (i + lanes <= end) {
+            load_columns(a, i, {x, y, z, vx, vy, vz, radius, wx});
+            load_columns(b, i, {wy, wz, wx, wy, wz, radius, mass, mass});
+            load_columns(f, i,
+                         {forces.fx, forces.fy, forces.fz, forces.tx, forces.ty, forces.tz,
+                          forces.tx, forces.tx});
+        } else {
+            for (int m = 0; m < lanes; ++m) {
+                const int at = std::min(i + m, end - 1);
+                int c = 0;
+                for (const double* column : {x, y, z, vx, vy, vz, radius, wx})
+                    a[c++][m] = column[at];
+                c = 0;
+                for (const double* column : {wy, wz, wx, wy, wz, radius, mass, mass})
+                    b[c++][m] = column[at];
+                c = 0;
+                for (const double* column :
+                     {forces.fx, forces.fy, forces.fz, forces.tx, forces.ty, forces.tz})
+                    f[c++][m] = column[at];
+            }
+        }
+        b[6] = 1.0 / b[6];
+        b[7] = f[6] = f[7] = Lanes{};
+        transpose(a);
+        transpose(b);
+        transpose(f);
+        for (int m = 0; m < std::min(lanes, end - i); ++m) {
+            store(a[m], state + 16 * (i + m));
+            store(b[m], state + 16 * (i + m) + 8);
+            store(f[m], force + 8 * (i + m));
+        }
+    }
+}
+
+void ContactPairs::return_forces(const ForceColumns& forces) const {
+    const double* force = rows_.force.data();
+    double* const to[6] = {forces.fx, forces.fy, forces.fz, forces.tx, forces.ty, forces.tz};
+    for (int i = rows_.begin; i < rows_.end; i += lanes) {
+        const int count = std::min(lanes, rows_.end - i);
+        Lanes f[8];
+        for (int m = 0; m < lanes; ++m)
+            load(f[m], force + 8 * (i + std::min(m, count - 1)));
+        transpose(f);
+        for (int c = 0; c < 6; ++c) {
+            if (count == lanes)
+                store(f[c], to[c] + i);
+            else
+                for (int m = 0; m < count; ++m)
+                    to[c][i + m] = f[c][m];
+        }
+    }
+}
+
+/// Pairs from rows, by eight. What lies beyond `count` is the last pair again.
+void ContactPairs::read(ContactBlock& b, const int* first, const int* second, int count) const {
+    const double* state = rows_.state.data();
+    // Of the second half of a row the first two are subtracted, the others added.
+    const Lanes sign = {-1.0, -1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
+    for (int at = 0; at < count; at += lanes) {
+        Lanes apart[8], both[8];
+        for (int m = 0; m < lanes; ++m) {
+            const int k = std::min(at + m, count - 1);
+            const double* one = state + 16 * static_cast<std::ptrdiff_t>(first[k]);
+            const double* other = state + 16 * static_cast<std::ptrdiff_t>(second[k]);
+            Lanes mine, yours;
+            load(mine, one);
+            load(yours, other);
+            apart[m] = yours - mine;
+            load(mine, one + 8);
+            load(yours, other + 8);
+            both[m] = yours + sign * mine;
+        }
+        transpose(apart);
+        transpose(both);
+        store_columns(apart, at, {b.dx, b.dy, b.dz, b.vx, b.vy, b.vz, b.radii_apart, b.spin_x});
+        store_columns(both, at, {b.spin_y, b.spin_z, b.wx, b.wy, b.wz, b.radii, b.inverse_masses});
+    }
+}
+
+void ContactPairs::write(const ContactBlock& b, const int* first, const int* second, int count) {
+    double* force = rows_.force.data();
+    for (int at = 0; at < count; at += lanes) {
+        Lanes one[8], other[8];
+        load_columns(one, at, {b.fx, b.fy, b.fz, b.tx1, b.ty1, b.tz1});
+        load_columns(other, at, {b.fx, b.fy, b.fz, b.tx2, b.ty2, b.tz2});
+        one[6] = one[7] = other[6] = other[7] = Lanes{};
+        transpose(one);
+        transpose(other);
+        for (int m = 0; m < std::min(lanes, count - at); ++m) {
+            const int k = at + m;
+            double* to = force + 8 * static_cast<std::ptrdiff_t>(first[k]);
+            Lanes sum;
+            load(sum, to);
+            sum -= one[m];
+            store(sum, to);
+            to = force + 8 * static_cast<std::ptrdiff_t>(second[k]);
+            load(sum, to);
+            sum += other[m];
+            store(sum, to);
+        }
+    }
+}
+
+template <bool friction, bool rolling>
+void ContactPairs::add_with(const Scene& scene, const AlignedVector<int>* touching, int begin,
+                            int end, PairSums& sums) {
+    const ParticleStore& p = scene.particles;
+    NeighbourList& list = scene.list;
+    const NearestImage nearest(scene.box);
+    double *sx = list.spring_x.data(), *sy = list.spring_y.data(), *sz = list.spring_z.data();
+    const bool in_rows = 2 * static_cast<std::size_t>(end - begin) > p.size();
+    if (in_rows) {
+        int least = static_cast<int>(p.size());
+        for (int at = begin; at < end; ++at)
+            least =
+                std::min(least, list.first[static_cast<std::size_t>(
+                                    touching ? (*touching)[static_cast<std::size_t>(at)] : at)]);
+        start_rows(p, least);
+    }
+    Block b{};
+    int own_first[Block::size], own_second[Block::size];
+    for (int start = begin; start < end; start += Block::size) {
+        const int count = std::min(Block::size, end - start);
+        const int* pairs = touching ? touching->data() + start : nullptr;
+        const int* first = own_first;
+        const int* second = own_second;
+        if (touching) {
+            for (int m = 0; m < count; ++m) {
+                own_first[m] = list.first[static_cast<std::size_t>(pairs[m])];
+                own_second[m] = list.second[static_cast<std::size_t>(pairs[m])];
+            }
+        } else {
+            first = list.first.data() + start;
+            second = list.second.data() + start;
+        }
+        if (in_rows) {
+            fill_rows(p, scene.forces, *std::max_element(second, second + count) + 1);
+            read(b, first, second, count);
+        } else {
+            particles::read<friction>(b, p, first, second, count);
+        }
+        for (int m = 0; friction && m < count; ++m) {
+            const int k = touching ? pairs[m] : start + m;
+            b.sx[m] = sx[k];
+            b.sy[m] = sy[k];
+            b.sz[m] = sz[k];
+        }
+        act<friction, rolling>(b, scene.law, nearest, scene.step, count);
+        if (in_rows)
+            write(b, first, second, count);
+        else
+            particles::write<friction>(b, scene.forces, first, second, count);
+        for (int m = 0; friction && m < count; ++m) {
+            const int k = touching ? pairs[m] : start + m;
+            sx[k] = b.sx[m];
+            sy[k] = b.sy[m];
+            sz[k] = b.sz[m];
+        }
+        count_contacts(b, p, first, second, count, sums);
+        if (scene.sampling)
+            add_virial(sums.contact, b.dx, b.dy, b.dz, b.fx, b.fy, b.fz, count);
+    }
+    if (in_rows)
+        return_forces(scene.forces);
+}
+
+void ContactPairs::add_of(const Scene& scene, const AlignedVector<int>* touching, int begin,
+                          int end, PairSums& sums) {
+    if (begin >= end)
+        return;
+    if (scene.law.friction == 0.0)
+        add_with<false, false>(scene, touching, begin, end, sums);
+    else if (scene.law.rolling_friction == 0.0)
+        add_with<true, false>(scene, touching, begin, end, sums);
     else
-        add<true, true>(law, particles, box, list, touching, forces, step, sampling, sums);
+        add_with<true, true>(scene, touching, begin, end, sums);
+}
+
+void ContactPairs::add(const Scene& scene, const AlignedVector<int>& touching, PairSums& sums) {
+    add_of(scene, &touching, 0, static_cast<int>(touching.size()), sums);
+}
+
+void ContactPairs::add(const Scene& scene, int begin, int end, PairSums& sums) {
+    add_of(scene, nullptr, begin, end, sums);
 }
 
 void add_virial(Virial& virial, const double* rx, const double* ry, const double* rz,
                 const double* fx, const double* fy, const double* fz, int count) {
-    double xx = 0, xy = 0, xz = 0, yx = 0, yy = 0, yz = 0, zx = 0, zy = 0, zz = 0;
-#pragma omp simd reduction(+ : xx, xy, xz, yx, yy, yz, zx, zy, zz)
+    Virial sum = virial;
     for (int m = 0; m < count; ++m) {
-        xx += rx[m] * fx[m];
-        xy += rx[m] * fy[m];
-        xz += rx[m] * fz[m];
-        yx += ry[m] * fx[m];
-        yy += ry[m] * fy[m];
-        yz += ry[m] * fz[m];
-        zx += rz[m] * fx[m];
-        zy += rz[m] * fy[m];
-        zz += rz[m] * fz[m];
+        const double r[3] = {rx[m], ry[m], rz[m]};
+        const double f[3] = {fx[m], fy[m], fz[m]};
+        for (std::size_t a = 0; a < 3; ++a)
+            for (std::size_t c = 0; c < 3; ++c)
+                sum[3 * a + c] += r[a] * f[c];
     }
-    const double sum[9] = {xx, xy, xz, yx, yy, yz, zx, zy, zz};
-    for (std::size_t e = 0; e < 9; ++e)
-        virial[e] += sum[e];
+    virial = sum;
 }
 
 } // namespace searle::solvers::particles

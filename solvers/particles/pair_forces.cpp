@@ -25,7 +25,9 @@ struct Worker {
     AlignedVector<int> near;           ///< pairs within the colloid's reach
     AlignedVector<int> touching;       ///< pairs that touch
     AlignedVector<int> touched_before; ///< in the step before
-    Column copy;                       ///< forces and torques, for all threads but the first
+    ContactPairs contacts;
+    bool most_touch = false; ///< of the listed pairs, in the step before
+    Column copy;             ///< forces and torques, for all threads but the first
     PairSums sums;
 };
 
@@ -48,15 +50,25 @@ public:
                 const auto pairs = static_cast<long>(list.size());
                 const auto begin = static_cast<int>(pairs * t / threads);
                 const auto end = static_cast<int>(pairs * (t + 1) / threads);
-                if (renumbered)
-                    worker.touched_before = pairs_with_springs(list, begin, end);
                 const ForceColumns sums = sums_of(worker, p, t);
+                const ContactPairs::Scene scene{contact_, p, box, list, sums, step, sampling};
                 worker.sums = {};
-                select(p, box, list, begin, end, worker);
-                if constexpr (!std::is_same_v<Colloid, NoColloid>)
-                    act_at_distance(p, box, list, worker, sums, sampling);
-                if constexpr (has_contact)
-                    act_at_contact(p, box, list, worker, sums, step, sampling);
+                if (has_contact && !has_colloid && worker.most_touch) {
+                    worker.contacts.add(scene, begin, end, worker.sums);
+                } else {
+                    if (renumbered)
+                        worker.touched_before = pairs_with_springs(list, begin, end);
+                    select(p, box, list, begin, end, worker);
+                    if constexpr (has_colloid)
+                        act_at_distance(p, box, list, worker, sums, sampling);
+                    if constexpr (has_contact)
+                        act_at_contact(scene, worker);
+                }
+                const bool most_touched = worker.most_touch;
+                worker.most_touch = 2 * worker.sums.contacts > end - begin;
+                // Who looked at every pair did not note which touched.
+                if (most_touched && !worker.most_touch)
+                    worker.touched_before = pairs_with_springs(list, begin, end);
             }
             if (threads > 1)
                 gather(p);
@@ -172,9 +184,8 @@ private:
         worker.touching.resize(static_cast<std::size_t>(touching));
     }
 
-    void act_at_contact(const ParticleStore& p, const ShearBox& box, NeighbourList& list,
-                        Worker& worker, const ForceColumns& sums, double step,
-                        bool sampling) const {
+    static void act_at_contact(const ContactPairs::Scene& scene, Worker& worker) {
+        NeighbourList& list = scene.list;
         const AlignedVector<int>& touching = has_colloid ? worker.touching : worker.near;
         // Springs of pairs that parted; both lists ascend.
         auto now = touching.begin();
@@ -186,8 +197,7 @@ private:
                 list.spring_x[at] = list.spring_y[at] = list.spring_z[at] = 0.0;
             }
         }
-        add_contact_forces(contact_, p, box, list, touching, sums, step, sampling, worker.sums);
-        worker.sums.contacts = static_cast<long>(touching.size());
+        worker.contacts.add(scene, touching, worker.sums);
         worker.touched_before = touching;
     }
 
