@@ -87,12 +87,12 @@ void NeighbourList::rebuild(ParticleStore& particles, ShearBox& box,
         std::min({box.length_x, box.length_z, box.walls ? 1e300 : box.length_y});
     if (shortest < 2.0 * cell_size)
         throw std::invalid_argument("the box is shorter than twice the reach of the pair forces");
-    const AlignedVector<Spring> springs = kept_springs(particles);
+    AlignedVector<Spring> springs = kept_springs();
     wrap(particles, box);
-    sort(particles, box, cell_size, companions);
+    const AlignedVector<int> new_place = sort(particles, box, cell_size, companions);
     find_pairs(particles, box);
     find_wall_neighbours(particles, box);
-    restore(springs, particles);
+    restore(springs, new_place);
     built_x = particles.x;
     built_y = particles.y;
     built_z = particles.z;
@@ -102,8 +102,8 @@ void NeighbourList::rebuild(ParticleStore& particles, ShearBox& box,
     ++rebuilds_;
 }
 
-void NeighbourList::sort(ParticleStore& particles, const ShearBox& box, double cell_size,
-                         std::span<Column* const> companions) {
+AlignedVector<int> NeighbourList::sort(ParticleStore& particles, const ShearBox& box,
+                                       double cell_size, std::span<Column* const> companions) {
     cells_x_ = cells_along(box.length_x, cell_size, particles.size());
     cells_y_ = cells_along(box.length_y, cell_size, particles.size());
     cells_z_ = cells_along(box.length_z, cell_size, particles.size());
@@ -123,9 +123,11 @@ void NeighbourList::sort(ParticleStore& particles, const ShearBox& box, double c
     std::partial_sum(cell_start_.begin(), cell_start_.end(), cell_start_.begin());
     AlignedVector<int> next(cell_start_.begin(), cell_start_.end() - 1);
     AlignedVector<int> from(count);
-    for (std::size_t i = 0; i < count; ++i)
-        from[static_cast<std::size_t>(next[static_cast<std::size_t>(cell[i])]++)] =
-            static_cast<int>(i);
+    AlignedVector<int> new_place(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        new_place[i] = next[static_cast<std::size_t>(cell[i])]++;
+        from[static_cast<std::size_t>(new_place[i])] = static_cast<int>(i);
+    }
     Column scratch;
     AlignedVector<int> scratch_id;
     for (Column* column : particles.columns())
@@ -137,6 +139,7 @@ void NeighbourList::sort(ParticleStore& particles, const ShearBox& box, double c
         column->resize(count, 0.0);
         permute(*column, from, scratch);
     }
+    return new_place;
 }
 
 void NeighbourList::find_pairs(const ParticleStore& p, const ShearBox& box) {
@@ -146,7 +149,7 @@ void NeighbourList::find_pairs(const ParticleStore& p, const ShearBox& box) {
     if (cells_x_ < least_x || cells_z_ < 3 || (!box.walls && cells_y_ < 3)) {
         search.start();
         search.add_candidates(0, static_cast<int>(p.size()));
-        search.find(0, static_cast<int>(p.size()));
+        search.find<true>(0, static_cast<int>(p.size()));
         return;
     }
     // Of each cell: itself, the next in x, and the rows of half of the neighbours.
@@ -189,7 +192,12 @@ void NeighbourList::find_pairs(const ParticleStore& p, const ShearBox& box) {
                         add_row(iy, iz, ahead - (up ? 2 : 1), ahead + (up ? 1 : 2));
                     }
                 }
-                search.find(cell_start_[own], cell_start_[own + 1]);
+                const bool inside = at_x > 0 && at_x < cells_x_ - 1 && at_y < cells_y_ - 1 &&
+                                    at_z > 0 && at_z < cells_z_ - 1 && (at_y > 0 || box.walls);
+                if (inside)
+                    search.find<false>(cell_start_[own], cell_start_[own + 1]);
+                else
+                    search.find<true>(cell_start_[own], cell_start_[own + 1]);
             }
 }
 
@@ -207,51 +215,48 @@ void NeighbourList::find_wall_neighbours(const ParticleStore& p, const ShearBox&
     }
 }
 
-AlignedVector<NeighbourList::Spring>
-NeighbourList::kept_springs(const ParticleStore& particles) const {
+AlignedVector<NeighbourList::Spring> NeighbourList::kept_springs() const {
     AlignedVector<Spring> kept;
-    for (std::size_t k = 0; k < first.size(); ++k) {
-        if (spring_x[k] == 0.0 && spring_y[k] == 0.0 && spring_z[k] == 0.0)
-            continue;
-        const int a = particles.id[static_cast<std::size_t>(first[k])];
-        const int b = particles.id[static_cast<std::size_t>(second[k])];
-        const double sign = a < b ? 1.0 : -1.0;
-        kept.push_back({std::min(a, b), std::max(a, b), sign * spring_x[k], sign * spring_y[k],
-                        sign * spring_z[k]});
-    }
+    for (std::size_t k = 0; k < first.size(); ++k)
+        if (spring_x[k] != 0.0 || spring_y[k] != 0.0 || spring_z[k] != 0.0)
+            kept.push_back({first[k], second[k], spring_x[k], spring_y[k], spring_z[k]});
     return kept;
 }
 
-void NeighbourList::restore(const AlignedVector<Spring>& springs, const ParticleStore& particles) {
+void NeighbourList::restore(AlignedVector<Spring>& springs, const AlignedVector<int>& new_place) {
     const std::size_t count = first.size();
     spring_x.assign(count, 0.0);
     spring_y.assign(count, 0.0);
     spring_z.assign(count, 0.0);
     if (springs.empty())
         return;
-    // Springs of each particle as the one with the lower id, looked up for every pair.
-    AlignedVector<int> start(particles.size() + 1, 0);
-    for (const Spring& spring : springs)
-        ++start[static_cast<std::size_t>(spring.low) + 1];
+    // Springs of each particle as the first of its pair, looked up for every pair. Both lists go
+    // through space in about the same order, so that the look-ups stay near each other in memory.
+    AlignedVector<int> start(new_place.size() + 1, 0);
+    for (Spring& spring : springs) {
+        spring.first = new_place[static_cast<std::size_t>(spring.first)];
+        spring.second = new_place[static_cast<std::size_t>(spring.second)];
+        if (spring.first > spring.second)
+            spring = {spring.second, spring.first, -spring.x, -spring.y, -spring.z};
+        ++start[static_cast<std::size_t>(spring.first) + 1];
+    }
     std::partial_sum(start.begin(), start.end(), start.begin());
     AlignedVector<int> order(springs.size());
     AlignedVector<int> next(start.begin(), start.end() - 1);
     for (std::size_t s = 0; s < springs.size(); ++s)
-        order[static_cast<std::size_t>(next[static_cast<std::size_t>(springs[s].low)]++)] =
+        order[static_cast<std::size_t>(next[static_cast<std::size_t>(springs[s].first)]++)] =
             static_cast<int>(s);
     for (std::size_t k = 0; k < count; ++k) {
-        const int a = particles.id[static_cast<std::size_t>(first[k])];
-        const int b = particles.id[static_cast<std::size_t>(second[k])];
-        const auto low = static_cast<std::size_t>(std::min(a, b));
+        const auto low = static_cast<std::size_t>(first[k]);
         for (int at = start[low]; at < start[low + 1]; ++at) {
             const Spring& spring =
                 springs[static_cast<std::size_t>(order[static_cast<std::size_t>(at)])];
-            if (spring.high != std::max(a, b))
+            if (spring.second != second[k])
                 continue;
-            const double sign = a < b ? 1.0 : -1.0;
-            spring_x[k] = sign * spring.x;
-            spring_y[k] = sign * spring.y;
-            spring_z[k] = sign * spring.z;
+            spring_x[k] = spring.x;
+            spring_y[k] = spring.y;
+            spring_z[k] = spring.z;
+            break;
         }
     }
 }

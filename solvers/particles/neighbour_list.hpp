@@ -61,17 +61,18 @@ public:
     [[nodiscard]] std::size_t size() const { return first.size(); }
 
 private:
-    void sort(ParticleStore& particles, const ShearBox& box, double cell_size,
-              std::span<Column* const> companions);
+    /// @return the new place of each particle
+    [[nodiscard]] AlignedVector<int> sort(ParticleStore& particles, const ShearBox& box,
+                                          double cell_size, std::span<Column* const> companions);
     void find_pairs(const ParticleStore& particles, const ShearBox& box);
     void find_wall_neighbours(const ParticleStore& particles, const ShearBox& box);
 
     struct Spring {
-        int low, high; ///< ids
+        int first, second; ///< places of the particles
         double x, y, z;
     };
-    [[nodiscard]] AlignedVector<Spring> kept_springs(const ParticleStore& particles) const;
-    void restore(const AlignedVector<Spring>& springs, const ParticleStore& particles);
+    [[nodiscard]] AlignedVector<Spring> kept_springs() const;
+    void restore(AlignedVector<Spring>& springs, const AlignedVector<int>& new_place);
     [[nodiscard]] bool is_used_up() const;
     [[nodiscard]] double way_since_rebuild(const ParticleStore& particles) const;
 

@@ -47,14 +47,18 @@ public:
     }
 
     /// Pairs of begin ... end - 1, which must be the first candidates, with the later candidates.
+    /// @tparam images whether the nearest image of a candidate may be another; if not, candidates
+    ///                must ascend
+    template <bool images>
     void find(int begin, int end) {
         for (int i = begin; i < end; ++i)
-            find_partners(i, static_cast<std::size_t>(i - begin) + 1);
+            find_partners<images>(i, static_cast<std::size_t>(i - begin) + 1);
     }
 
 private:
     static constexpr std::size_t lanes = 8;
 
+    template <bool images>
     void find_partners(int i, std::size_t from) {
         const auto at = static_cast<std::size_t>(i);
         const double x = p_.x[at], y = p_.y[at], z = p_.z[at];
@@ -69,7 +73,8 @@ private:
             double dx = cx[m] - x;
             double dy = cy[m] - y;
             double dz = cz[m] - z;
-            nearest(dx, dy, dz);
+            if constexpr (images)
+                nearest(dx, dy, dz);
             const double limit = own + radius[m];
             excess[m] = dx * dx + dy * dy + dz * dz - limit * limit;
         }
@@ -81,10 +86,13 @@ private:
         const int* index = index_.data();
         std::size_t found = found_;
         for (std::size_t m = from; m < count_; ++m) {
-            first[found] = std::min(i, index[m]);
-            second[found] = std::max(i, index[m]);
+            if constexpr (images)
+                first[found] = std::min(i, index[m]);
+            second[found] = images ? std::max(i, index[m]) : index[m];
             found += excess[m] < 0.0 ? 1 : 0;
         }
+        if constexpr (!images)
+            std::fill(first + found_, first + found, i);
         found_ = found;
     }
 
