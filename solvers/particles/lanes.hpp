@@ -1,7 +1,11 @@
 #pragma once
 
+#include <bit>
 #include <cstring>
 #include <initializer_list>
+#if defined(__AVX512F__) && defined(__AVX512VL__)
+#include <immintrin.h>
+#endif
 
 namespace searle::solvers::particles {
 
@@ -29,6 +33,32 @@ inline void transpose(Lanes (&r)[8]) {
         r[k] = __builtin_shufflevector(b[k], b[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
         r[k + 4] = __builtin_shufflevector(b[k], b[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
+}
+
+/// Writes those of `count` indices whose value is negative, in their order. May write up to eight
+/// places beyond them, and reads as far beyond `count`.
+/// @return how many
+inline int keep_negative(const double* values, const int* indices, int count, int* to) {
+    int found = 0;
+#if defined(__AVX512F__) && defined(__AVX512VL__)
+    for (int m = 0; m < count; m += 8) {
+        const unsigned valid = count - m < 8 ? (1U << (count - m)) - 1U : 0xffU;
+        const __mmask8 negative =
+            _mm512_mask_cmp_pd_mask(static_cast<__mmask8>(valid), _mm512_loadu_pd(values + m),
+                                    _mm512_setzero_pd(), _CMP_LT_OQ);
+        const __m256i some = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(indices + m));
+        _mm256_storeu_si256(reinterpret_cast<__m256i*>(to + found),
+                            _mm256_maskz_compress_epi32(negative, some));
+        found += std::popcount(static_cast<unsigned>(negative));
+    }
+#else
+    // Writing always and going on sometimes: no branch to guess wrongly.
+    for (int m = 0; m < count; ++m) {
+        to[found] = indices[m];
+        found += values[m] < 0.0 ? 1 : 0;
+    }
+#endif
+    return found;
 }
 
 } // namespace searle::solvers::particles

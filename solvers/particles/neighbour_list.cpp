@@ -154,7 +154,16 @@ void NeighbourList::find_pairs(const ParticleStore& p, const ShearBox& box) {
     }
     // Of each cell: itself, the next in x, and the rows of half of the neighbours.
     constexpr int rows[4][2] = {{1, 0}, {-1, 1}, {0, 1}, {1, 1}};
-    const int shift = static_cast<int>(std::floor(box.image_offset / box.length_x * cells_x_));
+    const int shift =
+        static_cast<int>(std::floor(box.image_offset / box.length_x * cells_x_)) % cells_x_;
+    // Divisions cost more than the whole rest here, and no place is far outside.
+    const auto into_row = [&](int ix) {
+        while (ix < 0)
+            ix += cells_x_;
+        while (ix >= cells_x_)
+            ix -= cells_x_;
+        return ix;
+    };
     // Cells low ... high of a row, which goes on at its start; neighbours in x are one range.
     const auto add_row = [&](int iy, int iz, int low, int high) {
         const int row = (iz * cells_y_ + iy) * cells_x_;
@@ -162,8 +171,8 @@ void NeighbourList::find_pairs(const ParticleStore& p, const ShearBox& box) {
             search.add_candidates(cell_start_[static_cast<std::size_t>(row + from)],
                                   cell_start_[static_cast<std::size_t>(row + to)]);
         };
-        low = (low % cells_x_ + cells_x_) % cells_x_;
-        high = (high % cells_x_ + cells_x_) % cells_x_;
+        low = into_row(low);
+        high = into_row(high);
         if (low <= high)
             return add(low, high + 1);
         add(low, cells_x_);
@@ -181,7 +190,7 @@ void NeighbourList::find_pairs(const ParticleStore& p, const ShearBox& box) {
                 add_row(at_y, at_z, at_x + 1, at_x + 1);
                 for (const auto& row : rows) {
                     int iy = at_y + row[0];
-                    const int iz = (at_z + row[1] + cells_z_) % cells_z_;
+                    const int iz = at_z + row[1] < cells_z_ ? at_z + row[1] : 0;
                     if (iy >= 0 && iy < cells_y_) {
                         add_row(iy, iz, at_x - 1, at_x + 1);
                     } else if (!box.walls) {

@@ -1,6 +1,7 @@
 #include "solvers/particles/pair_forces.hpp"
 
 #include "solvers/particles/contact_pairs.hpp"
+#include "solvers/particles/lanes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -109,9 +110,10 @@ private:
         const int* second = list.second.data();
         const double *x = p.x.data(), *y = p.y.data(), *z = p.z.data(), *radius = p.radius.data();
         AlignedVector<int>& near = worker.near;
-        near.resize(static_cast<std::size_t>(end - begin) + 1);
+        near.resize(static_cast<std::size_t>(end - begin) + 8);
         int found = 0;
         alignas(64) double excess[block];
+        alignas(64) int places[block];
         for (int start = begin; start < end; start += block) {
             const int count = std::min(block, end - start);
 #pragma omp simd
@@ -124,12 +126,9 @@ private:
                 nearest(dx, dy, dz);
                 const double limit = radius[i] + radius[j] + reach;
                 excess[m] = dx * dx + dy * dy + dz * dz - limit * limit;
+                places[m] = start + m;
             }
-            int* out = near.data();
-            for (int m = 0; m < count; ++m) {
-                out[found] = start + m;
-                found += excess[m] < 0.0 ? 1 : 0;
-            }
+            found += keep_negative(excess, places, count, near.data() + found);
         }
         near.resize(static_cast<std::size_t>(found));
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solvers/particles/aligned_vector.hpp"
+#include "solvers/particles/lanes.hpp"
 #include "solvers/particles/particle_store.hpp"
 #include "solvers/particles/shear_box.hpp"
 
@@ -31,17 +32,22 @@ public:
     void add_candidates(int begin, int end) {
         const auto more = static_cast<std::size_t>(end - begin);
         const std::size_t needed = count_ + more;
-        if (needed + lanes > index_.size())
+        if (needed + 2 * lanes > index_.size()) {
             for (Column* column : {&x_, &y_, &z_, &radius_, &excess_})
-                column->resize(2 * needed + lanes);
-        index_.resize(x_.size());
-        const auto from = static_cast<std::size_t>(begin);
+                column->resize(2 * needed + 2 * lanes);
+            index_.resize(x_.size());
+        }
+        const double *px = p_.x.data() + begin, *py = p_.y.data() + begin;
+        const double *pz = p_.z.data() + begin, *of_radius = p_.radius.data() + begin;
+        double *x = x_.data() + count_, *y = y_.data() + count_, *z = z_.data() + count_;
+        double* radius = radius_.data() + count_;
+        int* index = index_.data() + count_;
         for (std::size_t m = 0; m < more; ++m) {
-            x_[count_ + m] = p_.x[from + m];
-            y_[count_ + m] = p_.y[from + m];
-            z_[count_ + m] = p_.z[from + m];
-            radius_[count_ + m] = p_.radius[from + m];
-            index_[count_ + m] = begin + static_cast<int>(m);
+            x[m] = px[m];
+            y[m] = py[m];
+            z[m] = pz[m];
+            radius[m] = of_radius[m];
+            index[m] = begin + static_cast<int>(m);
         }
         count_ = needed;
     }
@@ -78,22 +84,21 @@ private:
             const double limit = own + radius[m];
             excess[m] = dx * dx + dy * dy + dz * dz - limit * limit;
         }
-        if (found_ + count_ > first_.size()) {
-            first_.resize(2 * (found_ + count_));
-            second_.resize(2 * (found_ + count_));
+        if (found_ + count_ + lanes > first_.size()) {
+            first_.resize(2 * (found_ + count_) + lanes);
+            second_.resize(first_.size());
         }
-        int *first = first_.data(), *second = second_.data();
-        const int* index = index_.data();
-        std::size_t found = found_;
-        for (std::size_t m = from; m < count_; ++m) {
-            if constexpr (images)
-                first[found] = std::min(i, index[m]);
-            second[found] = images ? std::max(i, index[m]) : index[m];
-            found += excess[m] < 0.0 ? 1 : 0;
+        int* first = first_.data() + found_;
+        int* second = second_.data() + found_;
+        const int found = keep_negative(excess + from, index_.data() + from,
+                                        static_cast<int>(count_ - from), second);
+        for (int m = 0; m < found; ++m)
+            first[m] = i;
+        for (int m = 0; images && m < found; ++m) {
+            first[m] = std::min(i, second[m]);
+            second[m] = std::max(i, second[m]);
         }
-        if constexpr (!images)
-            std::fill(first + found_, first + found, i);
-        found_ = found;
+        found_ += static_cast<std::size_t>(found);
     }
 
     const ParticleStore& p_;
