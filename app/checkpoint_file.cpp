@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using solvers::suspension::Checkpoint;
 
-constexpr int format = 1;
+constexpr int format = 2;
 
 /// The module's function; it is opened once, from beside the program or where it was built.
 void* module_function(const char* name) {

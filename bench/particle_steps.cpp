@@ -1,5 +1,6 @@
 // Particle-steps per CPU-second of the particle solver: contacts alone, contacts with DLVO, dense
-// packings, with and without the coupled fluid. One thread.
+// packings, with and without the coupled fluid. One thread. A word as argument: scenes whose name
+// has it, alone.
 
 #include "solvers/particles/motion.hpp"
 #include "solvers/particles/packing.hpp"
@@ -22,6 +23,9 @@ double cpu_seconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+/// What a scene's name must have to run; empty: all run.
+std::string chosen;
+
 constexpr double diameter = 1.5e-6;
 constexpr double density = 5700.0;
 
@@ -32,6 +36,8 @@ particles::ShearBox cube_for(double count, double fraction) {
 
 /// Contacts alone, without fluid: what a granular code does.
 void contacts_alone(const char* name, double count, double fraction, double squeeze) {
+    if (std::string(name).find(chosen) == std::string::npos)
+        return;
     particles::ShearBox box = cube_for(count, fraction);
     particles::ParticleStore p = particles::random_packing(
         {.sizes = {{diameter, 1.0}}, .volume_fraction = fraction, .density = density, .seed = 1},
@@ -58,7 +64,7 @@ void contacts_alone(const char* name, double count, double fraction, double sque
         const int steps = static_cast<int>(4e6 / count) + 20;
         const double start = cpu_seconds();
         for (int k = 0; k < steps; ++k) {
-            if (list.is_stale_after(particles::kick_and_drift(p, step, 0.0, 1), 0.0))
+            if (list.is_stale_after(p, particles::kick_and_drift(p, step, 0.0, 1), 0.0))
                 list.rebuild(p, box);
             particles::clear_forces(p);
             contacts = forces->evaluate(p, box, list, step, false).contacts;
@@ -73,6 +79,8 @@ void contacts_alone(const char* name, double count, double fraction, double sque
 
 /// The whole solver in shear.
 void in_shear(const char* name, double count, double fraction, bool walls, bool dlvo, double rate) {
+    if (std::string(name).find(chosen) == std::string::npos)
+        return;
     SuspensionInput input;
     input.box = cube_for(count, fraction);
     input.box.walls = walls;
@@ -126,7 +134,9 @@ void in_shear(const char* name, double count, double fraction, bool walls, bool 
 
 } // namespace
 
-int main() try {
+int main(int argc, char** argv) try {
+    if (argc > 1)
+        chosen = argv[1];
     contacts_alone("Hooke, phi 4.68 %", 3310, 0.0468, 1.0);
     contacts_alone("Hooke, just apart, phi 0.5", 31800, 0.5, 1.0);
     contacts_alone("Hooke, pressed together, phi 0.6", 35400, 0.58, 1.02);

@@ -99,7 +99,7 @@ Found restitution() {
             const auto forces = make_pair_forces(law, NoColloid{}, 1);
             const double step = 0.01 / finer * law.duration(0.5 * pair.mass[0]);
             for (int k = 0; k < 110 * finer; ++k) {
-                if (list.is_stale_after(kick_and_drift(pair, step, 0.0, 1), 0.0))
+                if (list.is_stale_after(pair, kick_and_drift(pair, step, 0.0, 1), 0.0))
                     list.rebuild(pair, box);
                 clear_forces(pair);
                 forces->evaluate(pair, box, list, step, false);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "laws/exponential.hpp"
+
 #include <cmath>
 #include <numbers>
 
@@ -32,7 +34,7 @@ struct WeakOverlap : DoubleLayer {
     }
     /// Force that pushes apart, N.
     [[nodiscard]] double repulsion(double h, double r_i, double r_j) const {
-        return prefactor(r_i, r_j) * inverse_thickness * std::exp(-inverse_thickness * h);
+        return prefactor(r_i, r_j) * inverse_thickness * exponential(-inverse_thickness * h);
     }
 };
 
@@ -43,7 +45,7 @@ struct ConstantPotential : DoubleLayer {
         return prefactor(r_i, r_j) * std::log1p(std::exp(-inverse_thickness * h));
     }
     [[nodiscard]] double repulsion(double h, double r_i, double r_j) const {
-        const double decay = std::exp(-inverse_thickness * h);
+        const double decay = exponential(-inverse_thickness * h);
         return prefactor(r_i, r_j) * inverse_thickness * decay / (1.0 + decay);
     }
 };

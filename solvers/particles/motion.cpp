@@ -1,5 +1,6 @@
 #include "solvers/particles/motion.hpp"
 
+#include "laws/exponential.hpp"
 #include "solvers/particles/random_numbers.hpp"
 
 #include <algorithm>
@@ -7,6 +8,9 @@
 
 namespace searle::solvers::particles {
 namespace {
+
+// In the loops below `if (parallel : ...)` leaves out the threads alone: a plain `if` would make
+// the loop scalar as well where there is one thread (OpenMP 5.0, 2.9.3.1).
 
 /// Moment of inertia of a sphere over m r^2.
 constexpr double inertia_factor = 0.4;
@@ -62,12 +66,13 @@ void turn_with_exact_drag(ParticleStore& p, const Surroundings& s, double step, 
     const double *tx = p.tx.data(), *ty = p.ty.data(), *tz = p.tz.data();
     const double *mass = p.mass.data(), *radius = p.radius.data();
     const double *drag = s.rotational_drag.data(), *spin = s.spin_z.data();
-#pragma omp parallel for simd schedule(static) num_threads(threads) if (threads > 1)
+#pragma omp parallel for simd schedule(static) num_threads(threads) if (parallel : threads > 1)
     for (long i = 0; i < count; ++i) {
         const double inertia = inertia_factor * mass[i] * radius[i] * radius[i];
         // Without drag (0) the limit is a kick by torque / inertia.
-        const double safe = std::max(drag[i], 1e-12 * inertia / step);
-        const double kept = std::exp(-step * safe / inertia);
+        const double least = 1e-12 * inertia / step;
+        const double safe = drag[i] < least ? least : drag[i];
+        const double kept = laws::exponential(-step * safe / inertia);
         const double goal_z = spin[i] + tz[i] / safe;
         wx[i] = tx[i] / safe + (wx[i] - tx[i] / safe) * kept;
         wy[i] = ty[i] / safe + (wy[i] - ty[i] / safe) * kept;
@@ -88,13 +93,14 @@ double move_with_exact_drag(ParticleStore& p, Surroundings& s, const Brownian& b
     double* impulse = s.impulse_x.data();
     const double flow_z = s.flow_z;
     double largest_squared = 0.0;
-#pragma omp parallel for simd schedule(static) num_threads(threads) if (threads > 1)               \
+#pragma omp parallel for simd schedule(static) num_threads(threads) if (parallel                   \
+                                                                        : threads > 1)             \
     reduction(max                                                                                  \
               : largest_squared)
     for (long i = 0; i < count; ++i) {
         const double mobility = 1.0 / drag[i];
         const double tau = mass[i] * mobility;
-        const double kept = std::exp(-step * drag[i] / mass[i]);
+        const double kept = laws::exponential(-step * drag[i] / mass[i]);
         const double reach = tau * (1.0 - kept);
         const double goal_x = flow[i] + (fx[i] + viscous[i]) * mobility;
         const double goal_y = fy[i] * mobility;
@@ -111,7 +117,8 @@ double move_with_exact_drag(ParticleStore& p, Surroundings& s, const Brownian& b
         x[i] += dx;
         y[i] += dy;
         z[i] += dz;
-        largest_squared = std::max(largest_squared, beside * beside + dy * dy + dz * dz);
+        const double squared = beside * beside + dy * dy + dz * dz;
+        largest_squared = squared > largest_squared ? squared : largest_squared;
     }
     turn_with_exact_drag(p, s, step, threads);
     double largest_thermal = 0.0;
@@ -126,7 +133,8 @@ double kick_and_drift(ParticleStore& p, double step, double mean_shear, int thre
     double *x = p.x.data(), *y = p.y.data(), *z = p.z.data();
     const double *vx = p.vx.data(), *vy = p.vy.data(), *vz = p.vz.data();
     double largest_squared = 0.0;
-#pragma omp parallel for simd schedule(static) num_threads(threads) if (threads > 1)               \
+#pragma omp parallel for simd schedule(static) num_threads(threads) if (parallel                   \
+                                                                        : threads > 1)             \
     reduction(max                                                                                  \
               : largest_squared)
     for (long i = 0; i < count; ++i) {
@@ -147,7 +155,7 @@ void kick(ParticleStore& p, double step, int threads) {
     const double *fx = p.fx.data(), *fy = p.fy.data(), *fz = p.fz.data();
     const double *tx = p.tx.data(), *ty = p.ty.data(), *tz = p.tz.data();
     const double *mass = p.mass.data(), *radius = p.radius.data();
-#pragma omp parallel for simd schedule(static) num_threads(threads) if (threads > 1)
+#pragma omp parallel for simd schedule(static) num_threads(threads) if (parallel : threads > 1)
     for (long i = 0; i < count; ++i) {
         const double impulse = 0.5 * step / mass[i];
         const double turn = impulse / (inertia_factor * radius[i] * radius[i]);
@@ -163,7 +171,7 @@ void kick(ParticleStore& p, double step, int threads) {
 void add_explicit_drag(ParticleStore& p, const Surroundings& s, int threads) {
     const auto count = static_cast<long>(p.size());
     const double flow_z = s.flow_z;
-#pragma omp parallel for simd schedule(static) num_threads(threads) if (threads > 1)
+#pragma omp parallel for simd schedule(static) num_threads(threads) if (parallel : threads > 1)
     for (long at = 0; at < count; ++at) {
         const auto i = static_cast<std::size_t>(at);
         const double along = s.drag[i] * (s.flow_x[i] - p.vx[i]);

@@ -10,7 +10,8 @@ namespace searle::solvers::particles {
 /// Pairs whose surfaces are closer than a reach plus a skin (Verlet 1967), found through cells
 /// (Quentrec & Brot 1973). The list stays complete while particles move: the mean shear, which
 /// deforms it, and what they move beside it are counted apart, so that a fast wall alone does not
-/// make it stale.
+/// make it stale. Steps are counted by their upper bounds; when these use the skin up, the way
+/// since the rebuild is measured, which is far shorter where particles tremble in place.
 ///
 /// A rebuild wraps the particles into the box, sorts them by cell and renumbers the pairs; the
 /// tangential springs of pairs that touch go along.
@@ -28,7 +29,7 @@ public:
     /// True when a pair within reach may be missing. Call after every move.
     /// @param moved  upper bound of what a particle moved beside the mean shear since the last call
     /// @param strain of the mean shear since the last call, any sign
-    [[nodiscard]] bool is_stale_after(double moved, double strain);
+    [[nodiscard]] bool is_stale_after(const ParticleStore& particles, double moved, double strain);
 
     AlignedVector<int> first, second; ///< of each pair, first < second
     /// Tangential spring of each pair: displacement of `second` against `first` at the contact, m.
@@ -38,6 +39,9 @@ public:
     Column lower_x, lower_z, upper_x, upper_z;
     /// Particles that may touch the walls before the next rebuild.
     AlignedVector<int> near_lower, near_upper;
+
+    /// Where the particles were at the last rebuild, m.
+    Column built_x, built_y, built_z;
 
     /// The list's own numbers beside its public columns, for a checkpoint.
     struct State {
@@ -57,17 +61,20 @@ public:
     [[nodiscard]] std::size_t size() const { return first.size(); }
 
 private:
-    void sort(ParticleStore& particles, const ShearBox& box, double cell_size,
-              std::span<Column* const> companions);
+    /// @return the new place of each particle
+    [[nodiscard]] AlignedVector<int> sort(ParticleStore& particles, const ShearBox& box,
+                                          double cell_size, std::span<Column* const> companions);
     void find_pairs(const ParticleStore& particles, const ShearBox& box);
     void find_wall_neighbours(const ParticleStore& particles, const ShearBox& box);
 
     struct Spring {
-        int low, high; ///< ids
+        int first, second; ///< places of the particles
         double x, y, z;
     };
-    [[nodiscard]] AlignedVector<Spring> kept_springs(const ParticleStore& particles) const;
-    void restore(const AlignedVector<Spring>& springs, const ParticleStore& particles);
+    [[nodiscard]] AlignedVector<Spring> kept_springs() const;
+    void restore(AlignedVector<Spring>& springs, const AlignedVector<int>& new_place);
+    [[nodiscard]] bool is_used_up() const;
+    [[nodiscard]] double way_since_rebuild(const ParticleStore& particles) const;
 
     double reach_;
     double skin_;

@@ -123,7 +123,7 @@ void relax(ParticleStore& p, ShearBox& box, double tolerance) {
                 return;
             before = smallest;
         }
-        if (list.is_stale_after(relaxation.step(p), 0.0))
+        if (list.is_stale_after(p, relaxation.step(p), 0.0))
             list.rebuild(p, box);
     }
 }

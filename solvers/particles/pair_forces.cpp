@@ -1,6 +1,7 @@
 #include "solvers/particles/pair_forces.hpp"
 
-#include "solvers/particles/touching_pair.hpp"
+#include "solvers/particles/contact_pairs.hpp"
+#include "solvers/particles/lanes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,32 +21,16 @@ struct Block {
     alignas(64) double surface[block];                  ///< surface distance, m
 };
 
-/// Where one thread adds forces: the particles' own columns or a copy.
-struct Sums {
-    double *fx, *fy, *fz, *tx, *ty, *tz;
-};
-
 /// What one thread works with.
 struct Worker {
     AlignedVector<int> near;           ///< pairs within the colloid's reach
     AlignedVector<int> touching;       ///< pairs that touch
     AlignedVector<int> touched_before; ///< in the step before
-    Column copy;                       ///< forces and torques, for all threads but the first
+    ContactPairs contacts;
+    bool most_touch = false; ///< of the listed pairs, in the step before
+    Column copy;             ///< forces and torques, for all threads but the first
     PairSums sums;
 };
-
-void add_virial(Virial& virial, const Block& b, int count) {
-    double sum[9] = {};
-    for (int m = 0; m < count; ++m) {
-        const double r[3] = {b.rx[m], b.ry[m], b.rz[m]};
-        const double f[3] = {b.fx[m], b.fy[m], b.fz[m]};
-        for (int a = 0; a < 3; ++a)
-            for (int c = 0; c < 3; ++c)
-                sum[3 * a + c] += r[a] * f[c];
-    }
-    for (std::size_t e = 0; e < 9; ++e)
-        virial[e] += sum[e];
-}
 
 template <class Colloid, bool has_contact>
 class ComposedForces final : public PairForces {
@@ -66,15 +51,25 @@ public:
                 const auto pairs = static_cast<long>(list.size());
                 const auto begin = static_cast<int>(pairs * t / threads);
                 const auto end = static_cast<int>(pairs * (t + 1) / threads);
-                if (renumbered)
-                    worker.touched_before = pairs_with_springs(list, begin, end);
-                const Sums sums = sums_of(worker, p, t);
+                const ForceColumns sums = sums_of(worker, p, t);
+                const ContactPairs::Scene scene{contact_, p, box, list, sums, step, sampling};
                 worker.sums = {};
-                select(p, box, list, begin, end, worker);
-                if constexpr (!std::is_same_v<Colloid, NoColloid>)
-                    act_at_distance(p, box, list, worker, sums, sampling);
-                if constexpr (has_contact)
-                    act_at_contact(p, box, list, worker, sums, step, sampling);
+                if (has_contact && !has_colloid && worker.most_touch) {
+                    worker.contacts.add(scene, begin, end, worker.sums);
+                } else {
+                    if (renumbered)
+                        worker.touched_before = pairs_with_springs(list, begin, end);
+                    select(p, box, list, begin, end, worker);
+                    if constexpr (has_colloid)
+                        act_at_distance(p, box, list, worker, sums, sampling);
+                    if constexpr (has_contact)
+                        act_at_contact(scene, worker);
+                }
+                const bool most_touched = worker.most_touch;
+                worker.most_touch = 2 * worker.sums.contacts > end - begin;
+                // Who looked at every pair did not note which touched.
+                if (most_touched && !worker.most_touch)
+                    worker.touched_before = pairs_with_springs(list, begin, end);
             }
             if (threads > 1)
                 gather(p);
@@ -85,7 +80,7 @@ public:
 private:
     static constexpr bool has_colloid = !std::is_same_v<Colloid, NoColloid>;
 
-    Sums sums_of(Worker& worker, ParticleStore& p, int thread) const {
+    ForceColumns sums_of(Worker& worker, ParticleStore& p, int thread) const {
         if (thread == 0)
             return {p.fx.data(), p.fy.data(), p.fz.data(), p.tx.data(), p.ty.data(), p.tz.data()};
         const std::size_t count = p.size();
@@ -115,9 +110,10 @@ private:
         const int* second = list.second.data();
         const double *x = p.x.data(), *y = p.y.data(), *z = p.z.data(), *radius = p.radius.data();
         AlignedVector<int>& near = worker.near;
-        near.resize(static_cast<std::size_t>(end - begin) + 1);
+        near.resize(static_cast<std::size_t>(end - begin) + 8);
         int found = 0;
         alignas(64) double excess[block];
+        alignas(64) int places[block];
         for (int start = begin; start < end; start += block) {
             const int count = std::min(block, end - start);
 #pragma omp simd
@@ -130,18 +126,15 @@ private:
                 nearest(dx, dy, dz);
                 const double limit = radius[i] + radius[j] + reach;
                 excess[m] = dx * dx + dy * dy + dz * dz - limit * limit;
+                places[m] = start + m;
             }
-            int* out = near.data();
-            for (int m = 0; m < count; ++m) {
-                out[found] = start + m;
-                found += excess[m] < 0.0 ? 1 : 0;
-            }
+            found += keep_negative(excess, places, count, near.data() + found);
         }
         near.resize(static_cast<std::size_t>(found));
     }
 
     void act_at_distance(const ParticleStore& p, const ShearBox& box, const NeighbourList& list,
-                         Worker& worker, const Sums& sums, bool sampling) const {
+                         Worker& worker, const ForceColumns& sums, bool sampling) const {
         const NearestImage nearest(box);
         const int* first = list.first.data();
         const int* second = list.second.data();
@@ -185,17 +178,14 @@ private:
                 touching += b.surface[m] < 0.0 ? 1 : 0;
             }
             if (sampling)
-                add_virial(worker.sums.colloid, b, count);
+                add_virial(worker.sums.colloid, b.rx, b.ry, b.rz, b.fx, b.fy, b.fz, count);
         }
         worker.touching.resize(static_cast<std::size_t>(touching));
     }
 
-    void act_at_contact(const ParticleStore& p, const ShearBox& box, NeighbourList& list,
-                        Worker& worker, const Sums& sums, double step, bool sampling) const {
+    static void act_at_contact(const ContactPairs::Scene& scene, Worker& worker) {
+        NeighbourList& list = scene.list;
         const AlignedVector<int>& touching = has_colloid ? worker.touching : worker.near;
-        const NearestImage nearest(box);
-        Block b;
-        int filled = 0;
         // Springs of pairs that parted; both lists ascend.
         auto now = touching.begin();
         for (const int k : worker.touched_before) {
@@ -206,78 +196,7 @@ private:
                 list.spring_x[at] = list.spring_y[at] = list.spring_z[at] = 0.0;
             }
         }
-        for (const int k : touching) {
-            const auto at = static_cast<std::size_t>(k);
-            const auto i = static_cast<std::size_t>(list.first[at]);
-            const auto j = static_cast<std::size_t>(list.second[at]);
-            double dx = p.x[j] - p.x[i];
-            double dy = p.y[j] - p.y[i];
-            double dz = p.z[j] - p.z[i];
-            const double crossings = nearest(dx, dy, dz);
-            const double r = std::sqrt(dx * dx + dy * dy + dz * dz);
-            const double inverse = 1.0 / r;
-            const double overlap = p.radius[i] + p.radius[j] - r;
-            const Touch touch{.nx = dx * inverse,
-                              .ny = dy * inverse,
-                              .nz = dz * inverse,
-                              .overlap = overlap,
-                              .vx = p.vx[j] - p.vx[i] - crossings * box.image_speed,
-                              .vy = p.vy[j] - p.vy[i],
-                              .vz = p.vz[j] - p.vz[i],
-                              .lever_first = p.radius[i] - 0.5 * overlap,
-                              .lever_second = p.radius[j] - 0.5 * overlap,
-                              .wx1 = p.wx[i],
-                              .wy1 = p.wy[i],
-                              .wz1 = p.wz[i],
-                              .wx2 = p.wx[j],
-                              .wy2 = p.wy[j],
-                              .wz2 = p.wz[j],
-                              .reduced_mass = p.mass[i] * p.mass[j] / (p.mass[i] + p.mass[j]),
-                              .rolling_radius =
-                                  p.radius[i] * p.radius[j] / (p.radius[i] + p.radius[j])};
-            const TouchForce f = touch_force(contact_, touch, step, list.spring_x[at],
-                                             list.spring_y[at], list.spring_z[at]);
-            const double fx = f.normal * touch.nx + f.tx;
-            const double fy = f.normal * touch.ny + f.ty;
-            const double fz = f.normal * touch.nz + f.tz;
-            sums.fx[i] -= fx;
-            sums.fy[i] -= fy;
-            sums.fz[i] -= fz;
-            sums.fx[j] += fx;
-            sums.fy[j] += fy;
-            sums.fz[j] += fz;
-            if (contact_.friction != 0.0) {
-                const double cx = touch.ny * f.tz - touch.nz * f.ty;
-                const double cy = touch.nz * f.tx - touch.nx * f.tz;
-                const double cz = touch.nx * f.ty - touch.ny * f.tx;
-                sums.tx[i] -= touch.lever_first * cx + f.rx;
-                sums.ty[i] -= touch.lever_first * cy + f.ry;
-                sums.tz[i] -= touch.lever_first * cz + f.rz;
-                sums.tx[j] -= touch.lever_second * cx - f.rx;
-                sums.ty[j] -= touch.lever_second * cy - f.ry;
-                sums.tz[j] -= touch.lever_second * cz - f.rz;
-            }
-            if (overlap > worker.sums.largest_overlap) {
-                worker.sums.largest_overlap = overlap;
-                worker.sums.deepest_first = p.id[i];
-                worker.sums.deepest_second = p.id[j];
-            }
-            if (sampling) {
-                b.rx[filled] = dx;
-                b.ry[filled] = dy;
-                b.rz[filled] = dz;
-                b.fx[filled] = fx;
-                b.fy[filled] = fy;
-                b.fz[filled] = fz;
-                if (++filled == block) {
-                    add_virial(worker.sums.contact, b, filled);
-                    filled = 0;
-                }
-            }
-        }
-        if (sampling)
-            add_virial(worker.sums.contact, b, filled);
-        worker.sums.contacts = static_cast<long>(touching.size());
+        worker.contacts.add(scene, touching, worker.sums);
         worker.touched_before = touching;
     }
 

@@ -11,13 +11,13 @@ namespace searle::solvers::particles {
 /// second.
 struct Touch {
     double nx, ny, nz;
-    double overlap;      ///< m, > 0
-    double vx, vy, vz;   ///< velocity of the second's centre less that of the first, m/s
-    double lever_first;  ///< centre to contact, m
-    double lever_second; ///< 0 for a wall that does not turn
-    double wx1, wy1, wz1, wx2, wy2, wz2; ///< angular velocities, rad/s
-    double reduced_mass;                 ///< kg
-    double rolling_radius;               ///< r_1 r_2 / (r_1 + r_2), m
+    double overlap;    ///< m, > 0
+    double vx, vy, vz; ///< velocity of the second's centre less that of the first, m/s
+    /// Sum over both of the lever (centre to contact) times the angular velocity, m/s.
+    double turning_x, turning_y, turning_z;
+    double spin_x, spin_y, spin_z; ///< angular velocity of the second less that of the first, 1/s
+    double reduced_mass;           ///< kg
+    double rolling_radius;         ///< r_1 r_2 / (r_1 + r_2), m
 };
 
 /// Force on the second and the rolling torque on it (the first has the opposite of both).
@@ -28,21 +28,20 @@ struct TouchForce {
 };
 
 /// Hooke's law for one contact; moves the tangential spring (sx, sy, sz) by `step`. The spring is
-/// kept in the tangent plane and cut back to Coulomb's limit while the contact slides.
-inline TouchForce touch_force(const laws::contact::Hooke& law, const Touch& t, double step,
-                              double& sx, double& sy, double& sz) {
+/// kept in the tangent plane and cut back to Coulomb's limit while the contact slides. Without
+/// jumps, so that a loop over contacts becomes a vector loop.
+template <bool friction, bool rolling>
+TouchForce touch_force(const laws::contact::Hooke& law, const Touch& t, double step, double& sx,
+                       double& sy, double& sz) {
     TouchForce out{};
     const double gamma = law.normal_damping(t.reduced_mass);
     const double separating = t.vx * t.nx + t.vy * t.ny + t.vz * t.nz;
     out.normal = law.normal_force(t.overlap, separating, gamma);
-    if (law.friction == 0.0)
+    if constexpr (!friction)
         return out;
-    const double wx = t.lever_first * t.wx1 + t.lever_second * t.wx2;
-    const double wy = t.lever_first * t.wy1 + t.lever_second * t.wy2;
-    const double wz = t.lever_first * t.wz1 + t.lever_second * t.wz2;
-    const double sliding_x = t.vx - separating * t.nx - (wy * t.nz - wz * t.ny);
-    const double sliding_y = t.vy - separating * t.ny - (wz * t.nx - wx * t.nz);
-    const double sliding_z = t.vz - separating * t.nz - (wx * t.ny - wy * t.nx);
+    const double sliding_x = t.vx - separating * t.nx - (t.turning_y * t.nz - t.turning_z * t.ny);
+    const double sliding_y = t.vy - separating * t.ny - (t.turning_z * t.nx - t.turning_x * t.nz);
+    const double sliding_z = t.vz - separating * t.nz - (t.turning_x * t.ny - t.turning_y * t.nx);
     sx += sliding_x * step;
     sy += sliding_y * step;
     sz += sliding_z * step;
@@ -57,27 +56,24 @@ inline TouchForce touch_force(const laws::contact::Hooke& law, const Touch& t, d
     out.tz = -stiffness * sz - dashpot * sliding_z;
     const double size = std::sqrt(out.tx * out.tx + out.ty * out.ty + out.tz * out.tz);
     const double limit = law.friction * std::abs(out.normal);
-    if (size > limit) {
-        const double share = limit / size;
-        out.tx *= share;
-        out.ty *= share;
-        out.tz *= share;
-        if (stiffness > 0.0) {
-            sx = -(out.tx + dashpot * sliding_x) / stiffness;
-            sy = -(out.ty + dashpot * sliding_y) / stiffness;
-            sz = -(out.tz + dashpot * sliding_z) / stiffness;
-        }
-    }
-    if (law.rolling_friction > 0.0) {
+    const bool slides = size > limit;
+    const double share = slides ? limit / size : 1.0;
+    out.tx *= share;
+    out.ty *= share;
+    out.tz *= share;
+    // Without a spring nothing is to be cut back.
+    const bool cut = slides && stiffness > 0.0;
+    const double softness = stiffness > 0.0 ? 1.0 / stiffness : 0.0;
+    sx = cut ? -(out.tx + dashpot * sliding_x) * softness : sx;
+    sy = cut ? -(out.ty + dashpot * sliding_y) * softness : sy;
+    sz = cut ? -(out.tz + dashpot * sliding_z) * softness : sz;
+    if constexpr (rolling) {
         // A constant torque against the rolling (Ai et al. 2011, Powder Technol. 206, 269, type A),
         // viscous below it, so that it does not jump at rest.
-        const double ux = t.wx2 - t.wx1;
-        const double uy = t.wy2 - t.wy1;
-        const double uz = t.wz2 - t.wz1;
-        const double twist = ux * t.nx + uy * t.ny + uz * t.nz;
-        const double rolling_x = ux - twist * t.nx;
-        const double rolling_y = uy - twist * t.ny;
-        const double rolling_z = uz - twist * t.nz;
+        const double twist = t.spin_x * t.nx + t.spin_y * t.ny + t.spin_z * t.nz;
+        const double rolling_x = t.spin_x - twist * t.nx;
+        const double rolling_y = t.spin_y - twist * t.ny;
+        const double rolling_z = t.spin_z - twist * t.nz;
         const double speed =
             std::sqrt(rolling_x * rolling_x + rolling_y * rolling_y + rolling_z * rolling_z);
         const double viscous = dashpot * t.rolling_radius * t.rolling_radius;
@@ -88,6 +84,16 @@ inline TouchForce touch_force(const laws::contact::Hooke& law, const Touch& t, d
         out.rz = -factor * rolling_z;
     }
     return out;
+}
+
+/// The same, of whatever the law has.
+inline TouchForce touch_force(const laws::contact::Hooke& law, const Touch& t, double step,
+                              double& sx, double& sy, double& sz) {
+    if (law.friction == 0.0)
+        return touch_force<false, false>(law, t, step, sx, sy, sz);
+    if (law.rolling_friction == 0.0)
+        return touch_force<true, false>(law, t, step, sx, sy, sz);
+    return touch_force<true, true>(law, t, step, sx, sy, sz);
 }
 
 } // namespace searle::solvers::particles

@@ -22,7 +22,7 @@ void set_with(const Law& law, bool model_b, const ParticleStore& p, Surroundings
     const double* fraction = fluid_fraction.data();
     const double flow_z = s.flow_z;
     double* drag = s.drag.data();
-#pragma omp parallel for simd schedule(static) num_threads(threads) if (threads > 1)
+#pragma omp parallel for simd schedule(static) num_threads(threads) if (parallel : threads > 1)
     for (long i = 0; i < count; ++i) {
         const double sx = flow[i] - vx[i];
         const double sz = flow_z - vz[i];

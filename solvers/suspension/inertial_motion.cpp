@@ -251,7 +251,7 @@ void InertialMotion::move(double wall_speed, double step, bool sampling) {
     ++counts_.steps;
     counts_.shortest_step = counts_.steps == 1 ? step : std::min(counts_.shortest_step, step);
     counts_.longest_step = std::max(counts_.longest_step, step);
-    if (list_.is_stale_after(largest_moved_, box_.shear_rate * step))
+    if (list_.is_stale_after(particles_, largest_moved_, box_.shear_rate * step))
         rebuild();
     if (explicit_steps_) {
         evaluate(wall_speed, step, sampling);

@@ -373,7 +373,7 @@ StressSample OverdampedMotion::advance(const WallSpeed& speed, double until) {
     ++counts_.steps;
     counts_.shortest_step = counts_.steps == 1 ? step : std::min(counts_.shortest_step, step);
     counts_.longest_step = std::max(counts_.longest_step, step);
-    if (list_.is_stale_after(fastest_ * step, rate * step)) {
+    if (list_.is_stale_after(particles_, fastest_ * step, rate * step)) {
         // The warm start follows the particles into their new order.
         particles::Column columns[6];
         std::vector<particles::Column*> companions;

@@ -23,6 +23,9 @@ void put_particles(Checkpoint& into, const particles::ParticleStore& particles,
     into.put("list_upper_z", list.upper_z);
     into.put("list_near_lower", list.near_lower);
     into.put("list_near_upper", list.near_upper);
+    into.put("list_built_x", list.built_x);
+    into.put("list_built_y", list.built_y);
+    into.put("list_built_z", list.built_z);
     const auto state = list.state();
     into.put("list_state", std::vector<double>{state.moved, state.strain, state.largest_distance,
                                                static_cast<double>(state.rebuilds)});
@@ -54,6 +57,9 @@ void get_particles(const Checkpoint& from, particles::ParticleStore& particles,
     from.get("list_upper_z", list.upper_z);
     from.get("list_near_lower", list.near_lower);
     from.get("list_near_upper", list.near_upper);
+    from.get("list_built_x", list.built_x);
+    from.get("list_built_y", list.built_y);
+    from.get("list_built_z", list.built_z);
     const std::vector<double>& state = from.column("list_state");
     list.restore({state.at(0), state.at(1), state.at(2), static_cast<long>(state.at(3))});
     const std::vector<double>& numbers = from.column("counts");

@@ -4,10 +4,13 @@
 #include "laws/drag/di_felice.hpp"
 #include "laws/drag/ergun_wen_yu.hpp"
 #include "laws/drag/stokes.hpp"
+#include "laws/exponential.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace searle::laws {
@@ -174,6 +177,19 @@ TEST(ErgunWenYu, ends_in_stokes_and_jumps_at_four_fifths) {
     // Creeping: Ergun 150 * 0.2 / 0.8 / 18 = 2.0833; Wen-Yu 0.8^-2.65 = 1.8064 times Stokes.
     EXPECT_NEAR(law.coefficient(1e-6, 0.0, 0.8) / stokes, 150 * 0.2 / 0.8 / 18, 1e-10);
     EXPECT_NEAR(law.coefficient(1e-6, 0.0, 0.8 + 1e-12) / stokes, std::pow(0.8, -2.65), 1e-9);
+}
+
+TEST(Exponential, is_that_of_fifty_digits_within_three_units_of_the_seventeenth) {
+    for (int k = -70800; k <= 70900; ++k) {
+        const double x = 0.01 * k * (1.0 + 1e-9 * k);
+        if (x < -708.0 || x > 709.0)
+            continue;
+        const Precise exact = exp(Precise(x));
+        ASSERT_LT(static_cast<double>(abs(Precise(exponential(x)) / exact - 1)), 3e-16) << x;
+    }
+    EXPECT_EQ(exponential(0.0), 1.0);
+    EXPECT_EQ(exponential(-1e9), exponential(-708.0));
+    EXPECT_TRUE(std::isnan(exponential(std::numeric_limits<double>::quiet_NaN())));
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 #include "solvers/particles/motion.hpp"
+#include "solvers/particles/packing.hpp"
 #include "solvers/particles/pair_forces.hpp"
 #include "solvers/particles/wall_forces.hpp"
 
@@ -30,7 +31,7 @@ struct Collision {
         list.rebuild(p, box);
     }
     void advance() {
-        if (list.is_stale_after(kick_and_drift(p, step, 0.0, 1), 0.0))
+        if (list.is_stale_after(p, kick_and_drift(p, step, 0.0, 1), 0.0))
             list.rebuild(p, box);
         clear_forces(p);
         forces->evaluate(p, box, list, step, false);
@@ -159,7 +160,7 @@ TEST(HookeContact, energy_is_conserved_without_damping) {
     double worst = 0.0;
     long contacts = 0;
     for (int k = 0; k < 4000; ++k) {
-        if (list.is_stale_after(kick_and_drift(p, step, 0.0, 1), 0.0))
+        if (list.is_stale_after(p, kick_and_drift(p, step, 0.0, 1), 0.0))
             list.rebuild(p, box);
         clear_forces(p);
         contacts += forces->evaluate(p, box, list, step, false).contacts;
@@ -173,6 +174,62 @@ TEST(HookeContact, energy_is_conserved_without_damping) {
     // springs, and does not drift.
     EXPECT_LT(worst, 2e-4);
     EXPECT_NEAR(energy() / start, 1.0, 1e-4);
+}
+
+TEST(Contact, a_pressed_packing_is_summed_alike_in_every_way) {
+    // A fresh sum picks the pairs that touch, one that has seen them looks at every listed pair:
+    // the same digits. Radii differ, all parts of the law act, and a few threads share the pairs.
+    const ShearBox cube{
+        .length_x = 14 * radius, .length_y = 14 * radius, .length_z = 14 * radius, .walls = false};
+    for (const double rolling : {0.0, 0.1})
+        for (const int threads : {1, 3}) {
+            const laws::contact::Hooke law{.normal_stiffness = 1e3,
+                                           .tangential_stiffness = 300.0,
+                                           .damping_ratio = 0.1,
+                                           .friction = 0.4,
+                                           .rolling_friction = rolling};
+            ShearBox box = cube;
+            ParticleStore p = random_packing(
+                {.sizes = {{2 * radius, 1.0}}, .volume_fraction = 0.58, .density = density}, box);
+            for (std::size_t i = 0; i < p.size(); ++i) {
+                const double turn = static_cast<double>(i);
+                p.radius[i] *= 1.03 + 0.01 * std::sin(turn);
+                p.vx[i] = 0.1 * std::sin(7.0 * turn);
+                p.wy[i] = 100.0 * std::cos(3.0 * turn);
+                p.wz[i] = 50.0 * std::sin(2.0 * turn);
+            }
+            NeighbourList list(0.0, 0.05 * radius);
+            list.rebuild(p, box);
+            const double step = 0.02 * law.duration(0.5 * p.mass[0]);
+            const auto seasoned = make_pair_forces(law, NoColloid{}, threads);
+            for (int k = 0; k < 40; ++k) {
+                if (list.is_stale_after(p, kick_and_drift(p, step, 0.0, 1), 0.0))
+                    list.rebuild(p, box);
+                clear_forces(p);
+                ParticleStore copy = p;
+                NeighbourList copied_list = list;
+                const PairSums sums = seasoned->evaluate(p, box, list, step, true);
+                ASSERT_GT(2 * sums.contacts, static_cast<long>(list.size()));
+                const PairSums fresh = make_pair_forces(law, NoColloid{}, threads)
+                                           ->evaluate(copy, box, copied_list, step, true);
+                EXPECT_EQ(sums.contacts, fresh.contacts);
+                EXPECT_EQ(sums.contact, fresh.contact);
+                EXPECT_EQ(sums.largest_overlap, fresh.largest_overlap);
+                EXPECT_EQ(sums.deepest_first, fresh.deepest_first);
+                for (std::size_t c = 0; c < p.columns().size(); ++c)
+                    ASSERT_EQ(*p.columns()[c], *copy.columns()[c]) << c << ' ' << k;
+                ASSERT_EQ(list.spring_x, copied_list.spring_x);
+                ASSERT_EQ(list.spring_z, copied_list.spring_z);
+                kick(p, step, 1);
+                // Action is reaction.
+                double fx = 0.0, size = 0.0;
+                for (std::size_t i = 0; i < p.size(); ++i) {
+                    fx += p.fx[i];
+                    size += std::abs(p.fx[i]);
+                }
+                EXPECT_LT(std::abs(fx), 1e-13 * size);
+            }
+        }
 }
 
 } // namespace

@@ -82,7 +82,7 @@ TEST(NeighbourList, misses_no_pair_between_rebuilds_in_shear) {
             largest = std::max(largest, std::sqrt(2.0) * std::abs(own));
         }
         box.advance(step);
-        if (list.is_stale_after(largest, step))
+        if (list.is_stale_after(p, largest, step))
             list.rebuild(p, box);
         const Pairs near = pairs_within(p, box, 0.01);
         const Pairs known = listed(p, list);
