@@ -1,5 +1,7 @@
 #include "solvers/axisymmetric/energy_minimiser.hpp"
 
+#include "solvers/axisymmetric/newton_flux.hpp"
+
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -17,66 +19,10 @@ constexpr double slope_share = 0.1;
 
 using Index = Eigen::Index;
 
-/// g at all points: rows of g_r above rows of g_z, one column an element.
-Eigen::MatrixXd gradients(const SectionSpace& space, const Eigen::VectorXd& values) {
-    const auto& elements = space.elements();
-    Eigen::MatrixXd g(elements.front().slope.rows(), static_cast<Index>(elements.size()));
-    Eigen::VectorXd local(elements.front().slope.cols());
-    for (std::size_t e = 0; e < elements.size(); ++e) {
-        for (Index k = 0; k < local.size(); ++k) {
-            local[k] = values[elements[e].node[static_cast<std::size_t>(k)]];
-        }
-        g.col(static_cast<Index>(e)).noalias() = elements[e].slope * local;
-    }
-    return g;
-}
-
 struct Along {
     double work; ///< sum of |g| F'
     double slope;
 };
-
-/// The flux F'(|g|) g/|g| that a Newton step leads to, linearised about the flux and not about g:
-/// Chan, Golub & Mulet 1999, SIAM J. Sci. Comput. 20, 1964. Where |g| is small the flux of a
-/// yield-stress fluid turns fast with g but is smooth in space, so it is the better unknown. It is
-/// kept where the second derivative stays positive. Where F'' >= F'/|g| it is Newton's own.
-Eigen::MatrixXd next_flux(const EnergyDensity& density, const Eigen::MatrixXd& g,
-                          const Eigen::MatrixXd& change, const Eigen::MatrixXd& flux,
-                          const Eigen::MatrixXd& g_next) {
-    constexpr double inside = 0.999;
-    const Index points = g.rows() / 2;
-    Eigen::MatrixXd next(g.rows(), g.cols());
-    Eigen::ArrayXd secant(points);
-    Eigen::ArrayXd tangent(points);
-    for (Index e = 0; e < g.cols(); ++e) {
-        const Eigen::ArrayXd r = g.col(e).head(points).array();
-        const Eigen::ArrayXd z = g.col(e).tail(points).array();
-        const Eigen::ArrayXd dr = change.col(e).head(points).array();
-        const Eigen::ArrayXd dz = change.col(e).tail(points).array();
-        const Eigen::ArrayXd square = r.square() + z.square();
-        density.slopes(square.sqrt(), secant, tangent);
-        const Eigen::ArrayXd bend =
-            (square > 0.0).select((tangent - secant) / (secant * square) * (r * dr + z * dz), 0.0);
-        const Eigen::ArrayXd flux_r = secant * (r + dr) + bend * flux.col(e).head(points).array();
-        const Eigen::ArrayXd flux_z = secant * (z + dz) + bend * flux.col(e).tail(points).array();
-
-        const Eigen::ArrayXd next_r = g_next.col(e).head(points).array();
-        const Eigen::ArrayXd next_z = g_next.col(e).tail(points).array();
-        const Eigen::ArrayXd size = (next_r.square() + next_z.square()).sqrt();
-        density.slopes(size, secant, tangent);
-        const Eigen::ArrayXd length = (flux_r.square() + flux_z.square()).sqrt();
-        for (Index q = 0; q < points; ++q) {
-            const bool softening = tangent[q] < secant[q];
-            const double most =
-                softening ? inside * secant[q] * secant[q] * size[q] / (secant[q] - tangent[q])
-                          : 0.0;
-            const double share = length[q] > most ? most / length[q] : 1.0;
-            next(q, e) = softening ? share * flux_r[q] : secant[q] * next_r[q];
-            next(points + q, e) = softening ? share * flux_z[q] : secant[q] * next_z[q];
-        }
-    }
-    return next;
-}
 
 } // namespace
 

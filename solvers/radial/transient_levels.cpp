@@ -140,8 +140,9 @@ std::vector<double> differences(std::span<const double> fine, std::span<const do
     std::vector<double> widened = plain;
     const auto widen = [&](std::size_t row, std::size_t neighbour) {
         const double absolute =
-            scale[row] > 0.0 ? absolute_share * plain[neighbour] * scale[neighbour] / scale[row]
-                             : 0.0;
+            scale[row] > 0.0 && fine[row] * fine[neighbour] < 0.0
+                ? absolute_share * plain[neighbour] * scale[neighbour] / scale[row]
+                : 0.0;
         widened[row] = std::max({widened[row], plain[neighbour], absolute});
     };
     for (std::size_t k = 1; k < rows; ++k) {

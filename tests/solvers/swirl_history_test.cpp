@@ -1,0 +1,130 @@
+#include "solvers/axisymmetric/swirl_history.hpp"
+
+#include "solvers/axisymmetric/creeping_swirl.hpp"
+#include "solvers/axisymmetric/swirl_response.hpp"
+#include "solvers/axisymmetric/swirl_stepper.hpp"
+#include "solvers/radial/rotor_gaps.hpp"
+#include "solvers/radial/transient_levels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace searle::solvers::axisymmetric {
+namespace {
+
+namespace flow = laws::flow;
+
+const geometry::DinBob bob{.bob_radius = 0.014, .cup_radius = 0.0152};
+constexpr double density = 1100.0;
+const flow::AnyFlowLaw slurry = flow::HerschelBulkley{0.5, 0.2, 0.6};
+
+rheometry::SpeedHistory up_and_down() {
+    return {.pieces = {{0.0, 0.5, 0.0, 8.0}, {0.5, 1.0, 8.0, 1.0}},
+            .row_times = {0.1, 0.3, 0.5, 0.6, 0.8, 1.0}};
+}
+
+/// Independent method: the Newtonian fluid's modes, exact in time (SwirlResponse).
+TEST(SwirlHistory, of_a_newtonian_fluid_is_that_of_its_modes_at_three_accuracies) {
+    const double viscosity = 0.05;
+    const auto exact = transient_swirl(bob, viscosity, density, up_and_down(), 1e-6);
+    ASSERT_TRUE(exact.reached);
+    for (const double accuracy : {3e-2, 3e-3, 3e-4}) {
+        const SwirlHistory found =
+            swirl_history(bob, flow::Newtonian{viscosity}, density, up_and_down(), accuracy, {});
+        EXPECT_TRUE(found.reached) << accuracy;
+        ASSERT_EQ(found.torque.size(), exact.torque.size());
+        for (std::size_t k = 0; k < exact.torque.size(); ++k) {
+            EXPECT_LE(std::abs(found.torque[k] - exact.torque[k]), found.error[k] + exact.error[k])
+                << accuracy << ' ' << k;
+        }
+    }
+}
+
+/// Independent method: what a longer bob adds far from both ends is the torque of a slice, which
+/// the radial solver has by a discretisation of its own (fluxes, moving yield surfaces split
+/// exactly). The ends are the same for both lengths.
+TEST(SwirlHistory, of_a_longer_bob_adds_the_slice_of_the_radial_solver) {
+    const auto with_length = [](double length) {
+        geometry::DinBob longer = bob;
+        longer.length_ratio = length / bob.bob_radius;
+        return swirl_history(longer, slurry, density, up_and_down(), 2e-3, {});
+    };
+    const SwirlHistory small = with_length(0.042);
+    const SwirlHistory large = with_length(0.063);
+    ASSERT_TRUE(small.reached && large.reached);
+    const geometry::ConcentricCylinders slice{
+        .bob_radius = bob.bob_radius, .cup_radius = bob.cup_radius, .height = 0.021};
+    const auto radial =
+        radial::solve_levels(radial::rotor_gaps(slice, density), slurry, up_and_down(), 1e-5, {});
+    ASSERT_TRUE(radial.reached);
+    for (std::size_t k = 0; k < radial.torque.size(); ++k) {
+        const double added = large.torque[k] - small.torque[k];
+        // Found: 1.1e-5. Most of either run's error is the ends' and cancels.
+        EXPECT_NEAR(added / radial.torque[k], 1.0, 5e-5) << k;
+    }
+}
+
+TEST(SwirlHistory, of_a_yield_stress_fluid_ends_in_the_steady_torque) {
+    rheometry::SpeedHistory hold;
+    hold.pieces = {{0.0, 0.1, 0.0, 4.0}, {0.1, 3.0, 4.0, 4.0}};
+    hold.row_times = {3.0};
+    const SwirlHistory found = swirl_history(bob, slurry, density, hold, 1e-3, {});
+    ASSERT_TRUE(found.reached);
+    const CreepingTorque steady = creeping_torque(bob, slurry, 4.0, {.accuracy = 1e-4});
+    EXPECT_LE(std::abs(found.torque[0] - steady.torque), found.error[0] + steady.error);
+}
+
+/// Where the fluid stops the law leaves the torque open, and the bar says so.
+TEST(SwirlHistory, at_rest_the_bar_covers_what_the_yield_stress_allows) {
+    rheometry::SpeedHistory stop;
+    stop.pieces = {{0.0, 0.5, 0.0, 8.0}, {0.5, 1.0, 8.0, 0.0}};
+    stop.row_times = {0.5, 1.0};
+    const SwirlHistory found = swirl_history(bob, slurry, density, stop, 1e-2, {});
+    ASSERT_EQ(found.torque.size(), 2U);
+    EXPECT_EQ(found.rows_at_rest, 1U);
+    const double at_yield = creeping_torque(bob, slurry, 1e-5, {.accuracy = 1e-2}).torque;
+    EXPECT_GE(found.torque[1] + found.error[1], 0.9 * at_yield);
+    EXPECT_LE(found.torque[1] - found.error[1], -0.9 * at_yield);
+}
+
+/// Order in time on one mesh: with the tolerance the error of the torque falls as the steps' fourth
+/// power, observed between 3 and 6 with adaptive steps.
+TEST(SwirlStepper, torque_converges_with_the_fourth_order_in_time) {
+    const flow::AnyFlowLaw thinning = flow::PowerLaw{0.2, 0.6};
+    const double speed = 8.0;
+    const SectionShape shape = bob;
+    const double wall_rate = shape.wall_rate(thinning, speed);
+    const SwirlLaw law(thinning, speed, wall_rate / speed);
+    const SectionMesh mesh = section_of(shape, graded_lines(shape, {.smallest = 0.1}));
+    const SectionSpace space(mesh, Field::rotation, 4, 6);
+    const auto run = [&](double tolerance) {
+        SwirlStepper stepper(
+            space, law,
+            {.tolerance = tolerance,
+             .inertia = density * std::pow(shape.unit(), 2) * speed / law.stress_scale(),
+             .rounding = 1e-5 * wall_rate / speed});
+        EXPECT_TRUE(stepper.start_steadily(0.5));
+        EXPECT_TRUE(stepper.begin({.start_time = 0.0, .speed = 0.5, .acceleration = 1.0}, 1e-6));
+        while (stepper.time() < 0.4) {
+            if (!stepper.step(0.4)) {
+                ADD_FAILURE();
+                break;
+            }
+        }
+        return std::pair{stepper.torque(), static_cast<double>(stepper.steps())};
+    };
+    const double exact = run(1e-9).first;
+    const auto [coarse, coarse_steps] = run(1e-3);
+    const auto [middle, middle_steps] = run(1e-5);
+    const auto [fine, fine_steps] = run(1e-7);
+    EXPECT_LT(std::abs(middle - exact), 0.1 * std::abs(coarse - exact));
+    EXPECT_LT(std::abs(fine - exact), 0.1 * std::abs(middle - exact));
+    const double order = std::log(std::abs(coarse - exact) / std::abs(fine - exact)) /
+                         std::log(fine_steps / coarse_steps);
+    EXPECT_GT(order, 3.0);
+}
+
+} // namespace
+} // namespace searle::solvers::axisymmetric
