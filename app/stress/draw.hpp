@@ -7,7 +7,16 @@
 
 namespace searle::app {
 
-/// Random numbers that are the same everywhere (SplitMix64; Steele, Lea & Flood 2014): those of the
+/// The next number of SplitMix64 (Steele, Lea & Flood 2014).
+inline std::uint64_t split_mix(std::uint64_t& state) {
+    state += 0x9e3779b97f4a7c15ULL;
+    std::uint64_t z = state;
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
+    return z ^ (z >> 31U);
+}
+
+/// Random numbers that are the same everywhere: those of the
 /// standard library's distributions differ from one library to the next.
 class Draw {
 public:
@@ -16,13 +25,7 @@ public:
         state_ ^= number << 32U;
     }
 
-    std::uint64_t bits() {
-        state_ += 0x9e3779b97f4a7c15ULL;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-        z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
-        return z ^ (z >> 31U);
-    }
+    std::uint64_t bits() { return split_mix(state_); }
     /// 0 <= value < 1.
     double unit() { return static_cast<double>(bits() >> 11U) * 0x1p-53; }
     double between(double low, double high) { return low + (high - low) * unit(); }

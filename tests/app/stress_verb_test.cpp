@@ -1,0 +1,142 @@
+#include "app/stress/draw.hpp"
+#include "app/stress/random_case.hpp"
+#include "app/stress/scene_trial.hpp"
+#include "app/stress/stress_campaign.hpp"
+#include "tests/app/running.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace searle::app {
+namespace {
+
+using testing::Outcome;
+using testing::TemporaryFolder;
+using testing::text_of;
+
+Trial tried(const std::string& text, bool physical = true) {
+    return try_scene({.kind = "by hand", .text = text, .physical = physical}, 60.0, {});
+}
+
+std::string gap_case(const std::string& rest) {
+    return "[geometry]\ntype = \"single-gap\"\nbob_radius = \"14 mm\"\ncup_radius = \"15 mm\"\n"
+           "height = \"42 mm\"\n" +
+           rest;
+}
+
+/// SplitMix64's first three numbers from the state 1234567, as its authors' code gives them
+/// (Rosetta Code, "Pseudo-random numbers/Splitmix64").
+TEST(StressDraw, is_split_mix_64) {
+    std::uint64_t state = 1234567;
+    const std::uint64_t expected[] = {6457827717110365317ULL, 3203168211198807973ULL,
+                                      9817491932198370423ULL};
+    for (const std::uint64_t each : expected)
+        EXPECT_EQ(split_mix(state), each);
+}
+
+TEST(StressDraw, values_stay_in_their_ranges_and_reach_both_ends) {
+    Draw draw(7, 3);
+    double least = 1.0;
+    double most = 0.0;
+    std::set<int> seen;
+    for (int k = 0; k < 20000; ++k) {
+        const double value = draw.log_between(1e-3, 1e3);
+        ASSERT_GE(value, 1e-3);
+        ASSERT_LE(value, 1e3);
+        const double unit = draw.unit();
+        least = std::min(least, unit);
+        most = std::max(most, unit);
+        seen.insert(draw.integer(-1, 2));
+    }
+    EXPECT_LT(least, 1e-3);
+    EXPECT_GT(most, 1.0 - 1e-3);
+    EXPECT_EQ(seen, (std::set<int>{-1, 0, 1, 2}));
+}
+
+TEST(StressScenes, are_the_same_for_the_same_number_and_seed_and_differ_otherwise) {
+    for (const std::string& family : stress_families()) {
+        EXPECT_EQ(random_case(family, 5, 17).text, random_case(family, 5, 17).text);
+        EXPECT_NE(random_case(family, 5, 17).text, random_case(family, 5, 18).text);
+        EXPECT_NE(random_case(family, 5, 17).text, random_case(family, 6, 17).text);
+    }
+}
+
+/// Every geometry, law and protocol comes up among some hundred scenes.
+TEST(StressScenes, cover_geometries_laws_and_protocols) {
+    std::string kinds;
+    for (long number = 1; number <= 400; ++number)
+        kinds += random_case("fluid", 1, number).kind + '\n';
+    for (const char* word : {"single-gap", "double-gap", "box", "din-bob", "newtonian", "bingham",
+                             "power-law", "herschel-bulkley", "casson", "carreau-yasuda", "cross",
+                             "steady", "ramp", "up-down", "jumps"})
+        EXPECT_NE(kinds.find(word), std::string::npos) << word;
+}
+
+TEST(StressTrial, a_right_case_is_right_and_held_to_digits) {
+    const Trial trial =
+        tried(gap_case("[fluid]\nmodel = \"herschel-bulkley\"\nyield_stress = \"1 Pa\"\n"
+                       "consistency = \"1 Pa.s^n\"\nflow_index = 0.5\ndensity = \"1000 kg/m^3\"\n"
+                       "[protocol]\ntype = \"steps\"\nshear_rates = [\"10 1/s\"]\nhold = "
+                       "\"steady\"\n[solver]\naccuracy = 1e-6\n"));
+    EXPECT_EQ(trial.verdict, Verdict::right) << trial.reason;
+    EXPECT_EQ(trial.truth, "50 digits");
+    EXPECT_LE(trial.worst_ratio, 1.0);
+    EXPECT_GT(trial.relative_error, 0.0);
+}
+
+TEST(StressTrial, a_faulty_case_is_refused_with_its_reason) {
+    const Trial trial = tried("[geometry]\ntype = \"triple-gap\"\n");
+    EXPECT_EQ(trial.verdict, Verdict::refused);
+    EXPECT_NE(trial.reason.find("triple-gap"), std::string::npos) << trial.reason;
+}
+
+/// An accuracy beyond what vortices past the onset can be known to.
+TEST(StressTrial, an_accuracy_out_of_reach_gave_up) {
+    const Trial trial = tried(gap_case(
+        "[fluid]\nmodel = \"newtonian\"\nviscosity = \"1 mPa.s\"\ndensity = \"1000 kg/m^3\"\n"
+        "[protocol]\ntype = \"steps\"\nshear_rates = [\"5000 1/s\"]\nhold = \"steady\"\n"
+        "[solver]\naccuracy = 1e-6\n"));
+    EXPECT_EQ(trial.verdict, Verdict::gave_up) << trial.reason;
+    EXPECT_FALSE(is_failure(trial.verdict));
+}
+
+TEST(StressVerb, writes_a_table_goes_on_where_it_stopped_and_tells_json) {
+    const TemporaryFolder folder;
+    const std::string place = (folder / "sweep").string();
+    const Outcome first = testing::searle(
+        {"stress", "fluid", "--scenes", "12", "--seed", "9", "-o", place, "--quiet"},
+        folder.path());
+    EXPECT_EQ(first.exit_code, 0) << first.out << first.err;
+    const std::string table = text_of(folder / "sweep" / "stress.csv");
+    EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 13);
+    // What stands there is not run again; a row cut off is.
+    std::filesystem::resize_file(folder / "sweep" / "stress.csv", table.rfind("fluid,12,9") + 5);
+    testing::write_text(folder / "sweep" / "stress.csv",
+                        text_of(folder / "sweep" / "stress.csv") + "\n");
+    const Outcome again = testing::searle(
+        {"stress", "fluid", "--scenes", "12", "--seed", "9", "-o", place, "--json"}, folder.path());
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    const auto json = nlohmann::json::parse(again.out);
+    EXPECT_EQ(json["complete"], true);
+    EXPECT_EQ(json["fluid"]["scenes"], 12);
+    EXPECT_EQ(json["fluid"]["failures"], 0);
+}
+
+TEST(StressVerb, wrong_usage_is_one_message_and_code_2) {
+    const TemporaryFolder folder;
+    testing::write_text(folder / "file", "x");
+    const std::vector<std::vector<std::string>> wrong{{"stress", "fluids"},
+                                                      {"stress", "--scenes", "0"},
+                                                      {"stress", "--minutes", "-1"},
+                                                      {"stress", "--scene-seconds", "0"},
+                                                      {"stress", "-o", (folder / "file").string()}};
+    for (const auto& arguments : wrong) {
+        const Outcome outcome = testing::searle(arguments, folder.path());
+        EXPECT_EQ(outcome.exit_code, 2) << arguments.back() << outcome.err;
+        EXPECT_FALSE(outcome.err.empty());
+    }
+}
+
+} // namespace
+} // namespace searle::app
