@@ -24,6 +24,9 @@ struct Reason : std::runtime_error {
 /// What a truth may cost, over what the scene may take.
 constexpr double truth_share = 1.0;
 
+/// Share of the limit at which a suspension is stopped.
+constexpr double stopped_at = 0.5;
+
 void check_finite(const SolvedCase& solved) {
     for (const rheometry::RheogramPoint& point : solved.rheogram.points)
         if (!std::isfinite(point.shear_stress) || !std::isfinite(point.stress_error) ||
@@ -45,8 +48,15 @@ std::vector<double> judged(const RandomCase& scene, double limit) {
         throw Reason(Verdict::refused, "no case");
     // Of a mangled text that became a sweep the first case is run.
     const std::clock_t begin = std::clock();
-    const SolvedCase solved = solve_case(plan_case(std::move(cases.front()), StageClock()),
-                                         [](double, std::string_view) {});
+    // A suspension may be stiffer than any patience: it is stopped as by a user, and what it has by
+    // then has to hold.
+    const bool may_be_stopped = cases.front().scene.particles.has_value();
+    const SolvedCase solved = solve_case(
+        plan_case(std::move(cases.front()), StageClock()), [&](double, std::string_view) {
+            if (may_be_stopped &&
+                static_cast<double>(std::clock() - begin) > stopped_at * limit * CLOCKS_PER_SEC)
+                throw solvers::Interrupted();
+        });
     const double taken = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     if (taken > limit)
         throw Reason(Verdict::hung, fmt::format("took {:.0f} s", taken));
@@ -56,7 +66,7 @@ std::vector<double> judged(const RandomCase& scene, double limit) {
     const double code = completeness == Completeness::complete
                             ? static_cast<double>(Verdict::right)
                             : static_cast<double>(Verdict::gave_up);
-    if (completeness != Completeness::complete && why_not_reached(solved).empty())
+    if (completeness == Completeness::not_reached && why_not_reached(solved).empty())
         throw Reason(Verdict::crashed, "gave up without a reason");
     if (!scene.physical || solved.source.scene.particles)
         return {code, 0.0, claimed, 3.0};

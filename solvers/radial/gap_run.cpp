@@ -16,6 +16,8 @@ using Piece = rheometry::SpeedHistory::Piece;
 
 constexpr long most_steps = 2'000'000;
 constexpr long steps_between_calls = 32;
+/// What is left up to a row, over the longest step, that is not stepped over any more.
+constexpr double sliver = 1e-10;
 /// Of the one small step after a jump, whose momentum is a tiny share of what the next row sees.
 constexpr double jump_tolerance = 1e-3;
 
@@ -187,7 +189,8 @@ private:
         const double longest = (target - time_) / steps_per_row_;
         while (time_ < target) {
             const double left = target - time_;
-            if (left <= 1e-13 * std::max(target, 1e-300)) {
+            // Towards a stop steps shrink with what is left: the last of it is no time at all.
+            if (left <= std::max(1e-13 * target, sliver * longest)) {
                 break;
             }
             // Equal steps up to the target rather than a short one at its end.
@@ -195,7 +198,7 @@ private:
             const double step =
                 steps_left > 1e9 ? std::min(step_, longest) : left / std::max(1.0, steps_left);
             if (run_.steps + run_.rejected > most_steps || step < 1e-15 * left ||
-                system_.linear_solves() > most_solves_) {
+                time_ + step == time_ || system_.linear_solves() > most_solves_) {
                 return false;
             }
             if (between_steps_ && (run_.steps + run_.rejected) % steps_between_calls == 0) {
@@ -278,12 +281,16 @@ private:
             error_[e] = {step * error0, step * error1};
         }
         const double largest = std::max(flux_.largest(), saved_flux_.largest());
+        if (!std::isfinite(largest)) {
+            undo();
+            return std::numeric_limits<double>::infinity();
+        }
         // An error of momentum long before the next row reaches that row's stress spread over the
         // time in between; so near a start, where the stress is singular in time, it may be larger.
         const double delayed = left > 0.0 ? 2.0 * system_.momentum_size(error_) / left
                                           : std::numeric_limits<double>::infinity();
         const double error =
-            largest > 0.0 ? std::min(system_.flux_change(error_), delayed) / largest : 0.0;
+            largest == 0.0 ? 0.0 : std::min(system_.flux_change(error_), delayed) / largest;
         if (!(error <= allowed())) {
             undo();
             return error;

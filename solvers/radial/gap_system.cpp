@@ -45,6 +45,10 @@ void scale(double factor, FluxField& field) {
 double FluxField::largest() const {
     double most = 0.0;
     for (const double value : node) {
+        // std::max would pass over what is not a number.
+        if (std::isnan(value)) {
+            return std::numeric_limits<double>::infinity();
+        }
         most = std::max(most, std::abs(value));
     }
     return most;

@@ -14,6 +14,7 @@ struct FluxField {
     [[nodiscard]] GapElement::Flux of(std::size_t element) const {
         return {node[element], node[element + 1], bubble[element]};
     }
+    /// Of the nodes, in magnitude; infinite where one is no number.
     [[nodiscard]] double largest() const;
 };
 
