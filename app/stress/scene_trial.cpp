@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <ctime>
 #include <new>
 #include <sys/resource.h>
@@ -49,9 +50,9 @@ std::vector<double> judged(const RandomCase& scene, double limit) {
         throw Reason(Verdict::refused, "no case");
     // Of a mangled text that became a sweep the first case is run.
     const std::clock_t begin = std::clock();
-    // A suspension may be stiffer than any patience: it is stopped as by a user, and what it has by
-    // then has to hold.
-    const bool may_be_stopped = cases.front().scene.particles.has_value();
+    // A suspension may be stiffer than any patience, and a mangled case ask for anything: it is
+    // stopped as by a user, and what it has by then has to hold.
+    const bool may_be_stopped = cases.front().scene.particles || !scene.physical;
     const SolvedCase solved = solve_case(
         plan_case(std::move(cases.front()), StageClock()), [&](double, std::string_view) {
             if (may_be_stopped &&
@@ -163,6 +164,10 @@ Trial try_scene(const RandomCase& scene, double limit, const bench::StopQuestion
         return trial;
     }
     trial.reason = ended.fault;
+    if (ended.fault == fmt::format("ended by signal {}", SIGXCPU)) {
+        trial.verdict = Verdict::hung;
+        return trial;
+    }
     for (const Verdict verdict :
          {Verdict::gave_up, Verdict::refused, Verdict::crashed, Verdict::hung})
         if (ended.fault.starts_with(name_of(verdict))) {
