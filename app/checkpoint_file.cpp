@@ -1,13 +1,11 @@
 #include "app/checkpoint_file.hpp"
 
-#include "app/hdf5_module/module.hpp"
 #include "app/interrupt.hpp"
 #include "app/versions.hpp"
 
 #include <fmt/format.h>
 
 #include <cerrno>
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <unistd.h>
 #include <utility>
@@ -19,25 +17,6 @@ namespace fs = std::filesystem;
 using solvers::suspension::Checkpoint;
 
 constexpr int format = 2;
-
-/// The module's function; it is opened once, from beside the program or where it was built.
-void* module_function(const char* name) {
-    static void* const module = []() -> void* {
-        std::error_code ignored;
-        const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-        for (const fs::path& path :
-             {program.parent_path() / "searle_hdf5.so", fs::path{SEARLE_HDF5_MODULE}})
-            if (fs::exists(path, ignored))
-                if (void* const opened = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL))
-                    return opened;
-        return nullptr;
-    }();
-    void* const function = module == nullptr ? nullptr : dlsym(module, name);
-    if (function == nullptr)
-        throw CheckpointError("checkpoints need searle_hdf5.so, which is built beside the program, "
-                              "and HDF5; one of them is missing");
-    return function;
-}
 
 std::string identity(const std::string& case_hash) {
     const auto versions = all_versions();
@@ -60,8 +39,6 @@ bool synchronised(const fs::path& file) {
 
 void write_checkpoint(const fs::path& file, const Checkpoint& checkpoint,
                       const std::string& case_hash) {
-    const auto write =
-        reinterpret_cast<decltype(&searle_hdf5_write)>(module_function("searle_hdf5_write"));
     const SignalsHeld no_interrupt;
     const fs::path beside = file.string() + ".new";
     bool good = false;
@@ -70,8 +47,7 @@ void write_checkpoint(const fs::path& file, const Checkpoint& checkpoint,
         std::error_code ignored;
         if (file.has_parent_path())
             fs::create_directories(file.parent_path(), ignored);
-        const StoredColumns stored{identity(case_hash), checkpoint.columns()};
-        good = write(beside.c_str(), &stored);
+        good = write_columns(beside, {identity(case_hash), checkpoint.columns()});
     }
     const int number = errno;
     std::error_code failed;
@@ -95,16 +71,14 @@ std::optional<Checkpoint> read_checkpoint(const fs::path& file, const std::strin
             fmt::format("{}: {}. Move it away, or start anew with --force (which leaves it aside)",
                         file.string(), why));
     };
-    const auto read =
-        reinterpret_cast<decltype(&searle_hdf5_read)>(module_function("searle_hdf5_read"));
-    StoredColumns stored;
-    if (!read(file.c_str(), &stored))
+    std::optional<StoredColumns> stored = read_columns(file);
+    if (!stored)
         refuse("the checkpoint is damaged, or no checkpoint");
-    if (stored.identity != identity(case_hash))
+    if (stored->identity != identity(case_hash))
         refuse(fmt::format("the checkpoint is of another case or version (\"{}\"; this is \"{}\")",
-                           stored.identity, identity(case_hash)));
+                           stored->identity, identity(case_hash)));
     Checkpoint checkpoint;
-    checkpoint.columns() = std::move(stored.columns);
+    checkpoint.columns() = std::move(stored->columns);
     return checkpoint;
 }
 

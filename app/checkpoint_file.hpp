@@ -1,19 +1,14 @@
 #pragma once
 
+#include "app/stored_columns.hpp"
 #include "solvers/suspension/checkpoint.hpp"
 
 #include <chrono>
 #include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 namespace searle::app {
-
-/// A checkpoint that cannot be gone on from: of another case or version, or damaged.
-struct CheckpointError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
 
 /// Seconds between two checkpoints of a run; what kill -9 loses at most.
 inline constexpr double checkpoint_interval = 60.0;

@@ -86,17 +86,34 @@ ut_status visit_logarithmic(const ut_unit*, double, const ut_unit*, void* argume
 const ut_visitor collector{visit_basic, visit_product, visit_galilean, visit_timestamp,
                            visit_logarithmic};
 
+bool is_gap(char sign) { return std::string_view{" ./*("}.find(sign) != std::string_view::npos; }
+
+/// True where the text before a digit makes its number a factor instead of a power.
+bool is_factor(std::string_view before) {
+    if (before.empty() || (is_gap(before.back()) && !before.ends_with("**")))
+        return true;
+    if (before.ends_with("per")) {
+        before.remove_suffix(3);
+        return before.empty() || !std::isalpha(static_cast<unsigned char>(before.back()));
+    }
+    const bool is_signed = before.back() == '+' || before.back() == '-';
+    return is_signed && is_factor(before.substr(0, before.size() - 1));
+}
+
 /// A number that is no power: UDUNITS takes "000 mm" and "60 s" as units, in a case file they are
-/// slips.
+/// slips. A power of 0 is one, too, and where letters follow it UDUNITS loses memory.
 bool holds_loose_number(std::string_view unit) {
     if (unit.starts_with("1/") || unit.starts_with("1 /"))
         unit.remove_prefix(1);
-    char before = ' ';
-    for (const char sign : unit) {
-        const bool digit = std::isdigit(static_cast<unsigned char>(sign)) != 0;
-        if (digit && std::string_view{" ./*("}.find(before) != std::string_view::npos)
+    for (std::size_t at = 0; at < unit.size(); ++at) {
+        if (std::isdigit(static_cast<unsigned char>(unit[at])) == 0)
+            continue;
+        const std::string_view before = unit.substr(0, at);
+        const bool goes_on =
+            !before.empty() && std::isdigit(static_cast<unsigned char>(before.back()));
+        const bool in_name = before.ends_with('_'); // mercury_0C
+        if (is_factor(before) || (unit[at] == '0' && !goes_on && !in_name))
             return true;
-        before = sign;
     }
     return false;
 }
@@ -148,7 +165,7 @@ public:
 
 private:
     std::variant<Unit, UnknownUnit> parse(std::string_view text) const {
-        if (holds_loose_number(text))
+        if (holds_loose_number(ascii_signs(text)))
             return UnknownUnit{"holds a number"};
         const std::string spelling = udunits_spelling(text);
         if (!is_well_formed(spelling))

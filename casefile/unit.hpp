@@ -37,9 +37,9 @@ struct UnknownUnit {
 /// Reads a unit: what UDUNITS-2 knows ("mPa.s", "kg/m^3", "rpm", "m s-1", "µm"), and the spellings
 /// of rheometry that it lacks: cP, P, deg, rev, dyn, Nm, mNm, Pas, mPas, M (mol/l), superscripts;
 /// "1/min" and "min^-1" are turns per minute, as on the instruments, not a shear rate.
-/// Units that nearly every case has are known by heart (common_units.hpp). The first other one loads
-/// the unit database (3 ms); later calls for the same text cost a look-up.
-/// Throws std::runtime_error when the database of UDUNITS-2 is needed and not installed.
+/// Units that nearly every case has are known by heart (common_units.hpp). The first other one
+/// loads the unit database (3 ms); later calls for the same text cost a look-up. Throws
+/// std::runtime_error when the database of UDUNITS-2 is needed and not installed.
 [[nodiscard]] std::variant<Unit, UnknownUnit> unit_named(std::string_view text);
 
 /// The same from the database, whatever the text.

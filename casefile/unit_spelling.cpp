@@ -40,26 +40,6 @@ const Alias* alias_at(const std::array<Alias, Count>& table, std::string_view te
     return nullptr;
 }
 
-std::string in_ascii(std::string_view unit) {
-    std::string text;
-    bool in_power = false;
-    while (!unit.empty()) {
-        const Alias* superscript = alias_at(superscripts, unit);
-        const Alias* sign = superscript ? nullptr : alias_at(signs, unit);
-        if (superscript && !in_power)
-            text += '^';
-        in_power = superscript != nullptr;
-        if (const Alias* alias = superscript ? superscript : sign) {
-            text += alias->second;
-            unit.remove_prefix(alias->first.size());
-        } else {
-            text += unit.front();
-            unit.remove_prefix(1);
-        }
-    }
-    return text;
-}
-
 bool is_letter(char sign) { return std::isalpha(static_cast<unsigned char>(sign)) != 0; }
 
 std::string with_known_names(std::string_view unit) {
@@ -86,8 +66,28 @@ std::string with_known_names(std::string_view unit) {
 
 } // namespace
 
+std::string ascii_signs(std::string_view unit) {
+    std::string text;
+    bool in_power = false;
+    while (!unit.empty()) {
+        const Alias* superscript = alias_at(superscripts, unit);
+        const Alias* sign = superscript ? nullptr : alias_at(signs, unit);
+        if (superscript && !in_power)
+            text += '^';
+        in_power = superscript != nullptr;
+        if (const Alias* alias = superscript ? superscript : sign) {
+            text += alias->second;
+            unit.remove_prefix(alias->first.size());
+        } else {
+            text += unit.front();
+            unit.remove_prefix(1);
+        }
+    }
+    return text;
+}
+
 std::string udunits_spelling(std::string_view unit) {
-    const std::string ascii = in_ascii(unit);
+    const std::string ascii = ascii_signs(unit);
     for (const std::string_view whole : turns_per_minute)
         if (ascii == whole)
             return "revolution/min";

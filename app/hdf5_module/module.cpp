@@ -55,16 +55,31 @@ hssize_t points_in(hid_t set) {
     return space.is_open() ? H5Sget_simple_extent_npoints(space.id()) : -1;
 }
 
+/// What is read, and the size of the file that it is read from.
+struct Reading {
+    StoredColumns& columns;
+    hsize_t file_size;
+};
+
+/// True when the values stand in the file as they were written: a damaged size would fill the
+/// memory.
+bool holds(hid_t set, hssize_t points, std::size_t value_size, hsize_t file_size) {
+    const hsize_t stored = H5Dget_storage_size(set);
+    return points >= 0 && static_cast<hsize_t>(points) <= file_size / value_size &&
+           stored == static_cast<hsize_t>(points) * value_size;
+}
+
 herr_t collect(hid_t file, const char* name, const H5L_info_t*, void* into) {
-    auto& all = *static_cast<StoredColumns*>(into);
+    auto& [all, file_size] = *static_cast<Reading*>(into);
+    const bool is_text = std::strcmp(name, "identity") == 0;
     const Handle set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
     const hssize_t points = set.is_open() ? points_in(set.id()) : -1;
-    if (points < 0) {
+    if (!set.is_open() || !holds(set.id(), points, is_text ? 1 : sizeof(double), file_size)) {
         all.damaged = true;
         return 0;
     }
     const auto count = static_cast<std::size_t>(points);
-    if (std::strcmp(name, "identity") == 0) {
+    if (is_text) {
         all.identity.resize(count);
         all.damaged |= H5Dread(set.id(), H5T_NATIVE_CHAR, H5S_ALL, H5S_ALL, H5P_DEFAULT,
                                all.identity.data()) < 0;
@@ -96,7 +111,10 @@ extern "C" bool searle_hdf5_read(const char* file, searle::app::StoredColumns* c
     keep_quiet();
     const Handle in(H5Fopen(file, H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     hsize_t start = 0;
-    return in.is_open() &&
-           H5Literate(in.id(), H5_INDEX_NAME, H5_ITER_INC, &start, collect, columns) >= 0 &&
+    hsize_t size = 0;
+    if (!in.is_open() || H5Fget_filesize(in.id(), &size) < 0)
+        return false;
+    Reading reading{*columns, size};
+    return H5Literate(in.id(), H5_INDEX_NAME, H5_ITER_INC, &start, collect, &reading) >= 0 &&
            !columns->damaged;
 }

@@ -84,6 +84,16 @@ std::string attribute_of(std::string_view head, std::string_view name) {
     return std::string{between(head, key, "\"", at)};
 }
 
+int components_of(std::string_view digits) {
+    constexpr int most = 9; // of a tensor
+    int count = 0;
+    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), count);
+    if (read.ec != std::errc{} || count < 1 || count > most) {
+        throw std::runtime_error("not a file of fields: NumberOfComponents is wrong");
+    }
+    return count;
+}
+
 /// The arrays of one element such as PointData.
 std::vector<Array> arrays_in(std::string_view text, std::string_view element) {
     std::size_t at = 0;
@@ -95,10 +105,13 @@ std::vector<Array> arrays_in(std::string_view text, std::string_view element) {
         Array array{
             .name = attribute_of(head, "Name"), .unit = attribute_of(head, "unit"), .content = {}};
         if (const std::string count = attribute_of(head, "NumberOfComponents"); !count.empty()) {
-            array.components = std::stoi(count);
+            array.components = components_of(count);
         }
         const std::size_t end = inside.find("</DataArray>", next);
-        array.content = inside.substr(next, end == inside.npos ? 0 : end - next);
+        if (end == inside.npos) {
+            throw std::runtime_error("not a file of fields: </DataArray> is missing");
+        }
+        array.content = inside.substr(next, end - next);
         arrays.push_back(std::move(array));
     }
     return arrays;
@@ -139,6 +152,15 @@ double number_in(const Array& array) {
         throw std::runtime_error(fmt::format("{} is not a number", array.name));
     }
     return value;
+}
+
+std::size_t whole_number_in(const Array& array) {
+    constexpr double most = 9007199254740992.0; // 2^53: whole numbers are exact below
+    const double value = number_in(array);
+    if (!(value >= 0.0 && value <= most)) {
+        throw std::runtime_error(fmt::format("{} is not a number of rows", array.name));
+    }
+    return static_cast<std::size_t>(value);
 }
 
 } // namespace
@@ -211,7 +233,7 @@ SectionFields read_vtu_text(std::string_view text) {
     SectionFields section;
     const std::vector<Array> data = arrays_in(text, "FieldData");
     section.time = number_in(named(data, "TimeValue"));
-    section.row = static_cast<std::size_t>(number_in(named(data, "row")));
+    section.row = whole_number_in(named(data, "row"));
     section.speed = number_in(named(data, "speed_rad_s"));
     section.yield_stress = number_in(named(data, "yield_stress_Pa"));
     section.rigid_rate = number_in(named(data, "rigid_rate_1_s"));

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <stdexcept>
+#include <unordered_map>
 #include <utility>
 
 namespace searle::rheometry {
@@ -114,18 +115,16 @@ private:
 
     void forbid_duplicates(std::size_t line) {
         TableFaults faults(table_.name_);
+        std::unordered_map<std::string_view, std::size_t> first; // a broken header may be wide
         for (std::size_t i = 0; i < table_.columns_.size(); ++i) {
             const std::string& name = table_.columns_[i].name;
-            for (std::size_t k = 0; k < i; ++k) {
-                if (name.empty() || table_.columns_[k].name != name)
-                    continue;
+            const auto [earlier, is_new] = first.try_emplace(name, i);
+            if (!is_new && !name.empty())
                 faults.add({.line = line,
                             .column = name,
                             .message = fmt::format("columns {} and {} have the same name; each "
                                                    "name may stand once",
-                                                   k + 1, i + 1)});
-                break;
-            }
+                                                   earlier->second + 1, i + 1)});
         }
         faults.throw_if_any();
     }

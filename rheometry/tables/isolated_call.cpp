@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <csignal>
 #include <fcntl.h>
+#include <fstream>
 #include <string_view>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -12,7 +13,13 @@
 namespace searle::rheometry {
 namespace {
 
-constexpr rlim_t processor_seconds = 20;
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool sanitized = true;
+#elif defined(__has_feature)
+constexpr bool sanitized = __has_feature(address_sanitizer);
+#else
+constexpr bool sanitized = false;
+#endif
 
 void write_all(int descriptor, std::string_view bytes) {
     while (!bytes.empty()) {
@@ -38,11 +45,28 @@ std::string read_all(int descriptor) {
     }
 }
 
-[[noreturn]] void run_child(const std::function<std::string()>& call, int descriptor) {
+/// Bytes of addresses in use; 0 where the system does not say.
+rlim_t addresses_in_use() {
+    rlim_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    return pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE));
+}
+
+void set_limits(const IsolationLimits& limits) {
     const rlimit no_core{0, 0};
-    const rlimit time{processor_seconds, processor_seconds};
+    const rlimit time{limits.processor_seconds, limits.processor_seconds};
     ::setrlimit(RLIMIT_CORE, &no_core);
     ::setrlimit(RLIMIT_CPU, &time);
+    // The address sanitizer takes terabytes of addresses, without memory behind them.
+    if (const rlim_t used = addresses_in_use(); used > 0 && !sanitized) {
+        const rlimit memory{used + limits.memory, used + limits.memory};
+        ::setrlimit(RLIMIT_AS, &memory);
+    }
+}
+
+[[noreturn]] void run_child(const std::function<std::string()>& call, int descriptor,
+                            const IsolationLimits& limits) {
+    set_limits(limits);
     for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGXCPU, SIGINT, SIGTERM})
         std::signal(signal, SIG_DFL);
     const int nowhere = ::open("/dev/null", O_WRONLY);
@@ -66,14 +90,14 @@ IsolatedResult::Outcome outcome_of(int status) {
 
 } // namespace
 
-IsolatedResult call_isolated(const std::function<std::string()>& call) {
+IsolatedResult call_isolated(const std::function<std::string()>& call, IsolationLimits limits) {
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0)
         return {};
     const pid_t child = ::fork();
     if (child == 0) {
         ::close(ends[0]);
-        run_child(call, ends[1]);
+        run_child(call, ends[1], limits);
     }
     ::close(ends[1]);
     IsolatedResult result;

@@ -14,9 +14,14 @@ namespace {
 
 constexpr zip_uint64_t largest_part = zip_uint64_t{512} << 20U;
 constexpr std::size_t most_cells = 20'000'000;
+// Sheets of numbers are packed to a tenth or so; what unpacks to far more is made to fill the
+// memory.
+constexpr zip_uint64_t most_unpacked = 200;
+constexpr zip_uint64_t always_unpacked = zip_uint64_t{4} << 20U;
 // Limits of the format itself.
 constexpr std::size_t most_rows = 1'048'576;
 constexpr std::size_t most_columns = 16'384;
+constexpr std::size_t longest_text = 4 * std::size_t{32'767}; // in bytes of UTF-8
 
 [[noreturn]] void fail(const std::filesystem::path& file, std::string message) {
     throw TableError(file.string(), {{.line = 0, .column = {}, .message = std::move(message)}});
@@ -50,6 +55,10 @@ public:
             fail(file_, fmt::format("this is no .xlsx workbook: the archive holds no {}", name));
         if (facts.size > largest_part)
             fail(file_, fmt::format("{} is larger than 512 MiB; export the data in parts", name));
+        if (facts.size > always_unpacked + most_unpacked * facts.comp_size)
+            fail(file_, fmt::format("{} is packed beyond belief: the workbook is damaged; save it "
+                                    "anew",
+                                    name));
         const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> stream(
             zip_fopen_index(archive_.get(), index, 0), zip_fclose);
         std::string text(facts.size, '\0');
@@ -94,12 +103,15 @@ std::string text_of(const pugi::xml_node& item) {
     return text;
 }
 
-std::vector<std::string> shared_texts(const Archive& archive) {
+/// Texts that cells share; a cell that says a long one is short.
+std::vector<std::string> shared_texts(const Archive& archive, const std::filesystem::path& file) {
     std::vector<std::string> texts;
     const pugi::xml_document document = archive.part("xl/sharedStrings.xml", true);
     for (const pugi::xml_node& item : document.document_element().children())
         if (local_name(item) == "si")
             texts.push_back(text_of(item));
+    if (std::ranges::any_of(texts, [](const auto& text) { return text.size() > longest_text; }))
+        fail(file, "a text is longer than a cell can hold; the workbook is damaged");
     return texts;
 }
 
@@ -128,9 +140,10 @@ bool read_place(std::string_view reference, Place& place) {
 
 class SheetReader {
 public:
+    /// @param count  of the workbook's sheets so far; this one's are added
     SheetReader(const std::filesystem::path& file, const std::vector<std::string>& texts,
-                std::string name)
-        : file_(file), texts_(texts) {
+                std::string name, CellCount& count)
+        : file_(file), texts_(texts), count_(count) {
         sheet_.name = std::move(name);
     }
 
@@ -164,6 +177,13 @@ public:
         if (sheet_.rows > 0 && sheet_.columns > most_cells / sheet_.rows)
             fail(file_,
                  fmt::format("sheet \"{}\" has more than {} cells", sheet_.name, most_cells));
+        count_.all += sheet_.rows * sheet_.columns;
+        count_.filled += found.size();
+        if (is_too_sparse(count_))
+            fail(file_,
+                 fmt::format("sheet \"{}\" has {} rows and {} columns, but {} cells that hold "
+                             "anything; the workbook is damaged",
+                             sheet_.name, sheet_.rows, sheet_.columns, found.size()));
         sheet_.cells.resize(sheet_.rows * sheet_.columns);
         for (auto& [place, content] : found)
             sheet_.cells[place.row * sheet_.columns + place.column] = std::move(content);
@@ -199,6 +219,7 @@ private:
 
     const std::filesystem::path& file_;
     const std::vector<std::string>& texts_;
+    CellCount& count_;
     Sheet sheet_;
 };
 
@@ -221,9 +242,10 @@ std::vector<Sheet> read_open_workbook(const std::filesystem::path& file) {
     if (!archive.holds("xl/workbook.xml"))
         fail(file, "this is a zip archive, but no .xlsx workbook; unpack it first");
     const std::map<std::string, std::string> targets = targets_of(archive);
-    const std::vector<std::string> texts = shared_texts(archive);
+    const std::vector<std::string> texts = shared_texts(archive, file);
     const pugi::xml_document workbook = archive.part("xl/workbook.xml", false);
     std::vector<Sheet> sheets;
+    CellCount count;
     for (const pugi::xml_node& entry :
          child_named(workbook.document_element(), "sheets").children()) {
         std::string id;
@@ -234,7 +256,7 @@ std::vector<Sheet> read_open_workbook(const std::filesystem::path& file) {
         // Sheets that are charts have no cells.
         if (target == targets.end() || target->second.find("worksheets/") == std::string::npos)
             continue;
-        SheetReader reader(file, texts, entry.attribute("name").value());
+        SheetReader reader(file, texts, entry.attribute("name").value(), count);
         sheets.push_back(reader.read(archive.part(target->second, false)));
     }
     if (sheets.empty())

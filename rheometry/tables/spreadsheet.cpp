@@ -1,16 +1,14 @@
 #include "rheometry/tables/spreadsheet.hpp"
 
+#include "rheometry/tables/byte_stream.hpp"
 #include "rheometry/tables/file_kind.hpp"
 #include "rheometry/tables/isolated_call.hpp"
 
 #include <cstdint>
-#include <cstring>
 #include <fmt/format.h>
 #include <freexl.h>
 #include <fstream>
-#include <stdexcept>
 #include <system_error>
-#include <type_traits>
 
 namespace searle::rheometry {
 namespace {
@@ -19,50 +17,8 @@ namespace {
     throw TableError(file.string(), {{.line = 0, .column = {}, .message = std::move(message)}});
 }
 
-// The sheets travel between the processes as bytes: plain values, and texts led by their length.
-
-class ByteWriter {
-public:
-    template <class Value>
-    void put(const Value& value) {
-        static_assert(std::is_trivially_copyable_v<Value>);
-        bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
-    }
-    void put_text(std::string_view text) {
-        put(static_cast<std::uint64_t>(text.size()));
-        bytes_ += text;
-    }
-    [[nodiscard]] std::string take() { return std::move(bytes_); }
-
-private:
-    std::string bytes_;
-};
-
-class ByteReader {
-public:
-    explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
-    template <class Value>
-    [[nodiscard]] Value get() {
-        Value value{};
-        std::memcpy(&value, next(sizeof value).data(), sizeof value);
-        return value;
-    }
-    [[nodiscard]] std::string get_text() { return std::string(next(get<std::uint64_t>())); }
-
-private:
-    std::string_view next(std::size_t count) {
-        if (count > bytes_.size())
-            throw std::length_error("spreadsheet: the reading process sent too little");
-        const std::string_view piece = bytes_.substr(0, count);
-        bytes_.remove_prefix(count);
-        return piece;
-    }
-
-    std::string_view bytes_;
-};
-
 enum class Kind : std::uint8_t { empty, number, text };
-enum class Status : std::uint8_t { read, library_error, password };
+enum class Status : std::uint8_t { read, library_error, password, too_sparse };
 
 class Workbook {
 public:
@@ -85,16 +41,17 @@ private:
     int code_;
 };
 
-void put_cell(ByteWriter& bytes, const FreeXL_CellValue& value) {
+/// False for an empty cell.
+bool put_cell(ByteWriter& bytes, const FreeXL_CellValue& value) {
     switch (value.type) {
     case FREEXL_CELL_INT:
         bytes.put(Kind::number);
         bytes.put(static_cast<double>(value.value.int_value));
-        return;
+        return true;
     case FREEXL_CELL_DOUBLE:
         bytes.put(Kind::number);
         bytes.put(value.value.double_value);
-        return;
+        return true;
     case FREEXL_CELL_TEXT:
     case FREEXL_CELL_SST_TEXT:
     case FREEXL_CELL_DATE:
@@ -102,13 +59,14 @@ void put_cell(ByteWriter& bytes, const FreeXL_CellValue& value) {
     case FREEXL_CELL_TIME:
         bytes.put(Kind::text);
         bytes.put_text(value.value.text_value != nullptr ? value.value.text_value : "");
-        return;
+        return true;
     default:
         bytes.put(Kind::empty);
+        return false;
     }
 }
 
-int put_sheet(ByteWriter& bytes, const Workbook& workbook, unsigned index) {
+int put_sheet(ByteWriter& bytes, const Workbook& workbook, unsigned index, CellCount& count) {
     const char* name = nullptr;
     unsigned rows = 0;
     unsigned short columns = 0;
@@ -121,13 +79,14 @@ int put_sheet(ByteWriter& bytes, const Workbook& workbook, unsigned index) {
     bytes.put_text(name != nullptr ? name : "");
     bytes.put(static_cast<std::uint64_t>(rows));
     bytes.put(static_cast<std::uint64_t>(columns));
+    count.all += std::size_t{rows} * columns;
     for (unsigned row = 0; row < rows; ++row) {
         for (unsigned short column = 0; column < columns; ++column) {
             FreeXL_CellValue value{};
             const int code = freexl_get_cell_value(workbook.handle(), row, column, &value);
             if (code != FREEXL_OK)
                 return code;
-            put_cell(bytes, value);
+            count.filled += put_cell(bytes, value) ? 1 : 0;
         }
     }
     return FREEXL_OK;
@@ -151,10 +110,13 @@ std::string sheets_as_bytes(const std::string& path) {
     bytes.put(Status::read);
     const unsigned count = workbook.info(FREEXL_BIFF_SHEET_COUNT);
     bytes.put(static_cast<std::uint64_t>(count));
+    CellCount cells;
     for (unsigned index = 0; index < count; ++index) {
-        const int code = put_sheet(bytes, workbook, index);
+        const int code = put_sheet(bytes, workbook, index, cells);
         if (code != FREEXL_OK)
             return status_bytes(Status::library_error, code);
+        if (is_too_sparse(cells))
+            return status_bytes(Status::too_sparse, FREEXL_OK);
     }
     return bytes.take();
 }
@@ -218,6 +180,8 @@ std::vector<Sheet> read_spreadsheet(const std::filesystem::path& file) {
     const auto status = bytes.get<Status>();
     if (status == Status::password)
         fail(file, "the workbook is protected by a password; save it without one");
+    if (status == Status::too_sparse)
+        fail(file, "the workbook is damaged: nearly all of its cells are empty; export it again");
     if (status == Status::library_error)
         fail(file, fmt::format("the workbook is damaged or not in the Excel 97-2003 format "
                                "(FreeXL's code {}); export it again, or as CSV",

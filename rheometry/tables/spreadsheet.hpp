@@ -27,6 +27,18 @@ struct Sheet {
     [[nodiscard]] std::string_view text(std::size_t row, std::size_t column) const;
 };
 
+/// Cells of a workbook's sheets.
+struct CellCount {
+    std::size_t all = 0;
+    std::size_t filled = 0; ///< those that hold anything
+};
+
+/// Whether so many cells are empty that the workbook must be damaged: a small file would fill the
+/// memory with them.
+[[nodiscard]] constexpr bool is_too_sparse(const CellCount& cells) {
+    return cells.all > 2'000'000 + 50 * cells.filled;
+}
+
 /// Reads the sheets of a binary workbook (.xls, BIFF). The library that does it runs in a process
 /// of its own, so that a damaged file cannot take the program down. Throws TableError for a file
 /// that is missing, damaged, protected by a password, or no such workbook.

@@ -47,6 +47,18 @@ TEST(unit, unknown_units_say_so) {
             << text;
 }
 
+// "kg·2" is a slip as "kg 2" is; the last ones make UDUNITS lose memory.
+TEST(unit, numbers_that_are_no_powers_are_refused_in_any_spelling) {
+    for (const char* text :
+         {"60 s", "kg 2", "kg·2", "kg\u00a02", "kg*2", "kg -2", "m per 2", "m per2", "-10 m", "m^0",
+          "m\u2070", "s0", "s-0m", "d\u00a00N", "P0.m", "m^-0foo"})
+        EXPECT_TRUE(std::holds_alternative<casefile::UnknownUnit>(casefile::unit_named(text)))
+            << text;
+    for (const char* text :
+         {"m2", "m-2", "m^-2", "m^10", "s⁻¹", "1/s", "kg·m²", "N-m", "mercury_0C"})
+        EXPECT_TRUE(std::holds_alternative<Unit>(casefile::unit_named(text))) << text;
+}
+
 TEST(unit, spelling_touches_whole_names_only) {
     EXPECT_EQ(casefile::udunits_spelling("mPa.s"), "mPa.s");
     EXPECT_EQ(casefile::udunits_spelling("cP"), "(mPa.s)");

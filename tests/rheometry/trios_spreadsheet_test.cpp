@@ -181,6 +181,18 @@ TEST(trios_spreadsheet, a_crash_stays_in_its_own_process) {
     EXPECT_EQ(finished.output, large);
 }
 
+TEST(trios_spreadsheet, memory_beyond_the_limit_is_refused_to_the_process) {
+#if defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "the address sanitizer needs addresses without a limit";
+#endif
+    const IsolationLimits limits{.memory = std::size_t{64} << 20U};
+    const auto call = [](std::size_t size) { return [size] { return std::string(size, 'x'); }; };
+    EXPECT_EQ(call_isolated(call(std::size_t{1} << 20U), limits).outcome,
+              IsolatedResult::Outcome::finished);
+    EXPECT_EQ(call_isolated(call(std::size_t{256} << 20U), limits).outcome,
+              IsolatedResult::Outcome::crashed);
+}
+
 TEST(trios_spreadsheet, the_library_tells_its_version) {
     EXPECT_FALSE(spreadsheet_library_version().empty());
 }
