@@ -11,7 +11,6 @@
 #include <csignal>
 #include <cstdio>
 #include <fcntl.h>
-#include <ranges>
 #include <string_view>
 #include <sys/stat.h>
 #include <system_error>
@@ -35,15 +34,15 @@ public:
         std::vector<fs::path> missing;
         for (fs::path at = folder; !fs::exists(at); at = at.parent_path())
             missing.push_back(at);
-        for (const fs::path& path : std::views::reverse(missing)) {
-            if (mkdir(path.c_str(), 0777) != 0 && errno != EEXIST)
-                fail(path, errno);
-            made_.push_back(path);
+        for (auto path = missing.rbegin(); path != missing.rend(); ++path) {
+            if (mkdir(path->c_str(), 0777) != 0 && errno != EEXIST)
+                fail(*path, errno);
+            made_.push_back(*path);
         }
     }
     ~MissingFolders() {
-        for (const fs::path& path : std::views::reverse(made_))
-            rmdir(path.c_str()); // leaves a folder that someone else has put something into
+        for (auto path = made_.rbegin(); path != made_.rend(); ++path)
+            rmdir(path->c_str()); // leaves a folder that someone else has put something into
     }
     MissingFolders(const MissingFolders&) = delete;
     MissingFolders& operator=(const MissingFolders&) = delete;

@@ -134,8 +134,9 @@ void remove_half_written_times(const std::vector<fs::path>& places) {
     // What only some processes have written is broken as well.
     for (const fs::path& place : places)
         for (const auto& [value, name] : time_folders(place))
-            if (std::ranges::any_of(
-                    places, [&name](const fs::path& other) { return !fs::exists(other / name); }))
+            if (std::ranges::any_of(places, [&time = name](const fs::path& other) {
+                    return !fs::exists(other / time);
+                }))
                 broken.insert(name);
     for (const fs::path& place : places)
         for (const std::string& name : broken)
