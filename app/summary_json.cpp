@@ -3,8 +3,10 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace searle::app {
 namespace {
@@ -19,6 +21,38 @@ Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 double number(const Json& json, const char* key) {
     const Json& value = json.at(key);
     return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+}
+
+[[noreturn]] void changed(const std::string& what) {
+    throw std::runtime_error("summary.json has been changed: " + what);
+}
+
+/// The JSON library would cast a number of any size.
+template <class Whole>
+Whole whole(const Json& value) {
+    if (!value.is_number_integer())
+        changed("a whole number is expected, not " + value.dump());
+    const auto found = value.get<std::int64_t>();
+    const bool wraps = value.is_number_unsigned() && found < 0;
+    if (wraps || !std::in_range<Whole>(found))
+        changed(value.dump() + " is beyond the range of this number");
+    return static_cast<Whole>(found);
+}
+
+template <class Whole>
+std::map<std::string, Whole> wholes(const Json& object) {
+    std::map<std::string, Whole> found;
+    for (const auto& [key, value] : object.items())
+        found.emplace(key, whole<Whole>(value));
+    return found;
+}
+
+/// A name that stands for a folder must not lead out of the result.
+std::string folder_name(const Json& value) {
+    const std::string name = value;
+    if (name.find('/') != std::string::npos || name == "..")
+        changed("'" + name + "' is no name of a folder");
+    return name;
 }
 
 Completeness completeness_from(const std::string& name) {
@@ -62,11 +96,11 @@ SolverNote solver_from(const Json& json) {
             .worst_relative_error = number(json, "worst_relative_error"),
             .largest_stress_error = number(json, "largest_stress_error_Pa"),
             .worst_torque_imbalance = number(json, "worst_torque_imbalance"),
-            .refinements = json.at("grid_levels"),
-            .elements = json.at("elements"),
-            .time_steps = json.at("time_steps"),
-            .linear_solves = json.at("linear_solves"),
-            .unknowns = json.at("unknowns")};
+            .refinements = whole<int>(json.at("grid_levels")),
+            .elements = whole<int>(json.at("elements")),
+            .time_steps = whole<long>(json.at("time_steps")),
+            .linear_solves = whole<long>(json.at("linear_solves")),
+            .unknowns = whole<long>(json.at("unknowns"))};
 }
 
 Json beginning(const char* kind, const std::string& title, const std::string& created,
@@ -89,15 +123,20 @@ Json parsed(std::string_view text) {
     return ours ? json : Json(nullptr);
 }
 
+std::string text_at(const Json& json, const char* key) {
+    const Json value = json.value(key, Json());
+    return value.is_string() ? value.get<std::string>() : std::string();
+}
+
 template <class Read>
 auto read_or_explain(std::string_view text, const char* kind, Read read) {
     const Json json = parsed(text);
-    if (json.is_null() || json.value("kind", "") != kind)
+    if (json.is_null() || text_at(json, "kind") != kind)
         throw std::runtime_error(std::string("summary.json is not that of a ") + kind);
     try {
         return read(json);
     } catch (const Json::exception& error) {
-        throw std::runtime_error(std::string("summary.json has been changed: ") + error.what());
+        changed(error.what());
     }
 }
 
@@ -174,7 +213,7 @@ std::string summary_json(const SweepSummary& summary) {
 
 SummaryKind kind_of_summary(std::string_view text) {
     const Json json = parsed(text);
-    const std::string kind = json.is_null() ? "" : json.value("kind", "");
+    const std::string kind = json.is_null() ? "" : text_at(json, "kind");
     return kind == "run"     ? SummaryKind::run
            : kind == "sweep" ? SummaryKind::sweep
                              : SummaryKind::none;
@@ -184,28 +223,28 @@ RunSummary read_run_summary(std::string_view text) {
     return read_or_explain(text, "run", [](const Json& json) {
         RunSummary summary{.title = json.at("title"),
                            .origin = {.file = json.at("case").at("file"),
-                                      .name = json.at("case").at("name"),
+                                      .name = folder_name(json.at("case").at("name")),
                                       .hash = json.at("case").at("hash"),
-                                      .lines = json.at("case").at("lines"),
+                                      .lines = wholes<int>(json.at("case").at("lines")),
                                       .written = json.at("case").at("written")},
                            .created = json.at("created"),
                            .versions = json.at("versions"),
                            .completeness = completeness_from(json.at("status")),
-                           .rows = json.at("rows"),
-                           .rows_asked = json.at("rows_asked"),
+                           .rows = whole<long>(json.at("rows")),
+                           .rows_asked = whole<long>(json.at("rows_asked")),
                            .transient = json.at("transient"),
                            .solver = solver_from(json.at("solver")),
                            .mesh = {},
                            .conversion = {},
                            .taylor = {},
-                           .regimes = json.at("regimes"),
+                           .regimes = wholes<long>(json.at("regimes")),
                            .plan = {},
                            .warnings = json.at("warnings"),
                            .timings = {},
                            .files = json.at("files")};
         if (const Json mesh = json.value("mesh", Json()); !mesh.is_null())
-            summary.mesh =
-                MeshNote{.degree = mesh.at("degree"), .lines = mesh.at("lines_in_rotor_radii")};
+            summary.mesh = MeshNote{.degree = whole<int>(mesh.at("degree")),
+                                    .lines = mesh.at("lines_in_rotor_radii")};
         const Json& conversion = json.at("conversion");
         summary.conversion = {.definition = conversion.at("definition"),
                               .stress_per_torque = conversion.at("stress_per_torque"),
@@ -231,16 +270,16 @@ SweepSummary read_sweep_summary(std::string_view text) {
                              .created = json.at("created"),
                              .versions = json.at("versions"),
                              .completeness = completeness_from(json.at("status")),
-                             .runs_asked = json.at("runs_asked"),
+                             .runs_asked = whole<long>(json.at("runs_asked")),
                              .swept_keys = json.at("swept_keys"),
                              .runs = {},
                              .warnings = json.at("warnings"),
                              .files = json.at("files")};
         for (const Json& run : json.at("runs"))
-            summary.runs.push_back({.name = run.at("name"),
+            summary.runs.push_back({.name = folder_name(run.at("name")),
                                     .swept_values = run.at("swept_values"),
                                     .completeness = completeness_from(run.at("status")),
-                                    .rows = run.at("rows"),
+                                    .rows = whole<long>(run.at("rows")),
                                     .wall_seconds = run.at("wall_s")});
         return summary;
     });
