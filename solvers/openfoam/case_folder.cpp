@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -64,7 +65,9 @@ std::vector<std::pair<double, std::string>> time_folders(const fs::path& folder)
         const std::string name = entry.path().filename().string();
         double value{};
         const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), value);
-        if (error == std::errc{} && end == name.data() + name.size() && entry.is_directory())
+        // "nan" has no place in an order.
+        if (error == std::errc{} && end == name.data() + name.size() && std::isfinite(value) &&
+            entry.is_directory())
             times.emplace_back(value, name);
     }
     std::ranges::sort(times);
@@ -141,33 +144,6 @@ void remove_half_written_times(const std::vector<fs::path>& places) {
     for (const fs::path& place : places)
         for (const std::string& name : broken)
             fs::remove_all(place / name);
-}
-
-std::vector<geometry::Point> velocity_at(const fs::path& folder, const std::string& time,
-                                         std::size_t cells) {
-    const std::string text = text_of(folder / time / "U");
-    const std::size_t field = text.find("internalField");
-    const std::size_t open = text.find("\n(\n", field == std::string::npos ? 0 : field);
-    std::vector<geometry::Point> velocity;
-    if (field == std::string::npos || open == std::string::npos ||
-        text.find("nonuniform", field) > open)
-        return velocity;
-    velocity.reserve(cells);
-    const char* at = text.data() + open + 3;
-    const char* const end = text.data() + text.size();
-    for (std::size_t cell = 0; cell < cells; ++cell) {
-        double value[3]{};
-        for (double& component : value) {
-            while (at < end && (*at == ' ' || *at == '(' || *at == ')' || *at == '\n'))
-                ++at;
-            const auto [next, error] = std::from_chars(at, end, component);
-            if (error != std::errc{})
-                return {};
-            at = next;
-        }
-        velocity.push_back({value[0], value[1], value[2]});
-    }
-    return velocity;
 }
 
 } // namespace searle::solvers::openfoam

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "geometry/mesh_build.hpp"
 #include "solvers/openfoam/dictionaries.hpp"
 
 #include <filesystem>
@@ -25,9 +24,5 @@ void set_control(const std::filesystem::path& folder, const std::string& key,
 /// from the latest folder, finds a whole one. 0 always stays.
 /// @param places  the case, or its processor folders: what is broken in one goes in all
 void remove_half_written_times(const std::vector<std::filesystem::path>& places);
-
-/// Velocity of each cell at a time; empty where the file is missing or cannot be read.
-[[nodiscard]] std::vector<geometry::Point> velocity_at(const std::filesystem::path& folder,
-                                                       const std::string& time, std::size_t cells);
 
 } // namespace searle::solvers::openfoam

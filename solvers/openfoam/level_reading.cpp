@@ -1,6 +1,7 @@
 #include "solvers/openfoam/level_reading.hpp"
 
 #include "solvers/openfoam/case_folder.hpp"
+#include "solvers/openfoam/velocity_file.hpp"
 
 #include <fmt/format.h>
 

@@ -44,8 +44,8 @@ std::optional<LoadSample> sample_of(std::string_view line, LoadComponent compone
 std::optional<double> number_of(const std::string& name) {
     double value{};
     const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), value);
-    if (error != std::errc{} || end != name.data() + name.size())
-        return std::nullopt;
+    if (error != std::errc{} || end != name.data() + name.size() || !std::isfinite(value))
+        return std::nullopt; // "nan" has no place in an order
     return value;
 }
 

@@ -19,6 +19,7 @@ void read_summary(std::string_view bytes);    ///< summary.json of a result
 void read_fields(std::string_view bytes);     ///< fields/row-0001.vtu of a result
 void read_checkpoint(std::string_view bytes); ///< an HDF5 file
 void read_moments(std::string_view bytes);    ///< moment.dat and force.dat of OpenFOAM
+void read_velocity(std::string_view bytes);   ///< a field U of OpenFOAM
 void read_log(std::string_view bytes);        ///< the log of an OpenFOAM solver
 
 struct Reader {
@@ -38,6 +39,7 @@ inline constexpr Reader readers[] = {{"case", read_case},
                                      {"fields", read_fields},
                                      {"checkpoint", read_checkpoint},
                                      {"moments", read_moments},
-                                     {"log", read_log}};
+                                     {"log", read_log},
+                                     {"velocity", read_velocity}};
 
 } // namespace searle::fuzz

@@ -26,6 +26,14 @@ TEST(LoadHistory, a_restart_replaces_what_an_earlier_start_wrote_after_it) {
     EXPECT_DOUBLE_EQ(samples[3].time, 2.0);
 }
 
+TEST(LoadHistory, folders_that_are_no_times_are_left_alone) {
+    const TemporaryFolder folder;
+    const std::string line = "0.5\t(1 2 -3)\t(0 0 0)\t(1 2 -3)\n";
+    for (const char* name : {"nan", "inf", "-inf", "0", "0.orig", "constant"})
+        write_text(folder / name / "moment.dat", line);
+    EXPECT_EQ(load_history(folder.path(), LoadComponent::moment_z).size(), 1u);
+}
+
 TEST(LoadHistory, nothing_there_is_no_samples) {
     const TemporaryFolder folder;
     EXPECT_TRUE(load_history(folder / "none", LoadComponent::moment_z).empty());
