@@ -11,6 +11,8 @@ namespace searle::casefile {
 namespace {
 
 constexpr std::size_t most_cases = 10000;
+constexpr std::size_t most_keys = 64;
+constexpr std::size_t most_values = 2'000'000; // of all cases together: some 500 MB
 constexpr std::size_t longest_name = 120;
 
 bool is_plain(char sign) {
@@ -57,6 +59,16 @@ struct Variation {
     }
 };
 
+/// The values that a copy of a node holds; a long text counts as several.
+std::size_t size_of(const Node& node) {
+    std::size_t size = 1 + node.text.size() / 64;
+    for (const Node& item : node.items)
+        size += size_of(item);
+    for (const Entry& entry : node.entries)
+        size += size_of(entry.value) + entry.key.size() / 64;
+    return size;
+}
+
 /// The assignments of a table: a quoted dotted key as it is, a table key by key, so that
 /// geometry.cup_radius with and without quotes mean the same.
 void collect(const Node& table, const std::string& path, std::vector<Assignment>& assignments) {
@@ -77,17 +89,21 @@ public:
     std::vector<SweptCase> all() {
         if (sweep_.vary)
             find_variations(*sweep_.vary, "");
+        if (variations_.size() > most_keys) {
+            fault(base_.place, "sweep.vary", "the sweep varies too many keys",
+                  fmt::format("at most {}", most_keys));
+            return {};
+        }
         label_variations();
         refuse_doubled_overrides();
-        std::size_t count = std::max<std::size_t>(1, sweep_.runs.size());
-        for (const Variation& variation : variations_) {
-            count *= variation.values.size();
-            if (count > most_cases) {
-                fault(variation.key_place, "sweep.vary", "the sweep has too many cases",
-                      fmt::format("at most {}", most_cases));
-                return {};
-            }
-        }
+        const std::size_t count = case_count();
+        if (count > most_cases)
+            fault(variations_.empty() ? base_.place : variations_.back().key_place,
+                  variations_.empty() ? "sweep" : "sweep.vary", "the sweep has too many cases",
+                  fmt::format("at most {}", most_cases));
+        else if (largest_case() > most_values / count)
+            fault(base_.place, "sweep", "the sweep's cases hold too much together",
+                  fmt::format("at most {} values", most_values));
         if (sweep_.runs.empty() && variations_.empty() && faults_.empty())
             fault(base_.place, "sweep", "the sweep names no case", "vary, or [[sweep.runs]]");
         if (!faults_.empty())
@@ -104,6 +120,31 @@ public:
 private:
     void fault(const Place& place, std::string key, std::string problem, std::string allowed) {
         faults_.push_back({{place}, std::move(key), std::move(problem), std::move(allowed), ""});
+    }
+
+    /// Counted up to the first that is too many.
+    [[nodiscard]] std::size_t case_count() const {
+        std::size_t count = std::max<std::size_t>(1, sweep_.runs.size());
+        for (const Variation& variation : variations_)
+            if (count <= most_cases)
+                count *= variation.values.size();
+        return count;
+    }
+
+    /// Values of a case that takes the largest of everything.
+    [[nodiscard]] std::size_t largest_case() const {
+        std::size_t of_a_run = 0;
+        for (const SweepRun& run : sweep_.runs)
+            if (run.set)
+                of_a_run = std::max(of_a_run, size_of(*run.set));
+        std::size_t all = size_of(base_) + of_a_run;
+        for (const Variation& variation : variations_) {
+            std::size_t of_a_value = 0;
+            for (const Node& value : variation.values)
+                of_a_value = std::max(of_a_value, size_of(value));
+            all += of_a_value;
+        }
+        return all;
     }
 
     void find_variations(const Node& table, const std::string& path) {

@@ -5,8 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <iterator>
+#include <ostream>
 
 namespace searle::fuzz {
+
+/// For the names of the tests.
+static void PrintTo(const Reader& reader, std::ostream* stream) { *stream << reader.name; }
+
 namespace {
 
 namespace fs = std::filesystem;
