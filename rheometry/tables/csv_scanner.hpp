@@ -20,8 +20,10 @@ class CsvScanner {
 public:
     /// @param text       must outlive the fields handed out
     /// @param unescaped  keeps the quoted fields that had doubled quotes in them
-    CsvScanner(std::string_view text, char delimiter, std::deque<std::string>& unescaped)
-        : text_(text), delimiter_(delimiter), unescaped_(unescaped) {}
+    /// @param first_line  of the file where the text starts
+    CsvScanner(std::string_view text, char delimiter, std::deque<std::string>& unescaped,
+               std::size_t first_line)
+        : text_(text), delimiter_(delimiter), unescaped_(unescaped), line_(first_line) {}
 
     /// Reads the next record; false at the end of the text. Throws std::invalid_argument for a
     /// quote that is never closed, text after a closing quote, or a quote inside an unquoted field;
@@ -40,7 +42,7 @@ private:
     char delimiter_;
     std::deque<std::string>& unescaped_;
     std::size_t position_ = 0;
-    std::size_t line_ = 1;
+    std::size_t line_;
 };
 
 /// The delimiter of a table, from its first line of data: tab before ; before , whichever the line

@@ -56,7 +56,8 @@ std::optional<char> take_declared_delimiter(std::string_view& text) {
 /// Builds a table from its text.
 class CsvReader {
 public:
-    CsvReader(std::string text, std::string name) {
+    CsvReader(std::string text, std::string name, std::size_t first_line)
+        : first_line_(first_line) {
         table_.name_ = std::move(name);
         table_.text_ = std::make_unique<std::string>(std::move(text));
     }
@@ -65,7 +66,7 @@ public:
         std::string_view text = *table_.text_;
         const std::optional<char> declared = take_declared_delimiter(text);
         table_.delimiter_ = declared.value_or(delimiter_of(text));
-        CsvScanner scanner(text, table_.delimiter_, table_.unescaped_);
+        CsvScanner scanner(text, table_.delimiter_, table_.unescaped_, first_line_);
         try {
             read_header(scanner);
             read_rows(scanner);
@@ -166,16 +167,17 @@ private:
     }
 
     CsvTable table_;
+    std::size_t first_line_;
 };
 
-CsvTable CsvTable::parse(std::string_view bytes, std::string name) {
+CsvTable CsvTable::parse(std::string_view bytes, std::string name, std::size_t first_line) {
     std::string text;
     try {
         text = decode_text(bytes);
     } catch (const std::invalid_argument& error) {
         fail(name, 0, error.what());
     }
-    return CsvReader(std::move(text), std::move(name)).table();
+    return CsvReader(std::move(text), std::move(name), first_line).table();
 }
 
 CsvTable CsvTable::read(const std::filesystem::path& file) {

@@ -25,7 +25,9 @@ public:
     /// Throws TableError when the file cannot be read or is not such a table.
     [[nodiscard]] static CsvTable read(const std::filesystem::path& file);
     /// @param name  what messages call the table
-    [[nodiscard]] static CsvTable parse(std::string_view bytes, std::string name);
+    /// @param first_line  of the file where the table starts
+    [[nodiscard]] static CsvTable parse(std::string_view bytes, std::string name,
+                                        std::size_t first_line = 1);
 
     [[nodiscard]] const std::string& name() const { return name_; }
     /// Headings as in the header, without blanks around them, with the unit line's units.

@@ -212,8 +212,7 @@ FlowCurveFile from_text(const fs::path& file, std::string_view bytes,
         return result;
     }
     for (const Section& section : sections) {
-        // Empty lines in front keep the line numbers of messages.
-        std::string table_text(section.first_line, '\n');
+        std::string table_text;
         std::size_t below = section.first_line + 1;
         while (below < section.end_line && trimmed(lines[below]).empty())
             ++below;
@@ -228,7 +227,7 @@ FlowCurveFile from_text(const fs::path& file, std::string_view bytes,
                 table_text += merged;
             table_text += '\n';
         }
-        const CsvTable table = CsvTable::parse(table_text, file.string());
+        const CsvTable table = CsvTable::parse(table_text, file.string(), section.first_line + 1);
         std::string name =
             section.name.empty() && sections.size() == 1 ? file.stem().string()
             : section.name.empty()

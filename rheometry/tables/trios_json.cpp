@@ -112,8 +112,9 @@ bool belongs_to_flow(const Column& column) {
            column.heading == "Displacement";
 }
 
+/// @param count  of the file's sheets so far; this one's are added
 Sheet step_sheet(const std::string& name, const std::vector<Column>& all,
-                 const std::vector<const Json*>& rows) {
+                 const std::vector<const Json*>& rows, CellCount& count) {
     std::vector<const Column*> columns;
     for (const Column& column : all) {
         if (is_oscillation(name) && belongs_to_flow(column))
@@ -139,20 +140,51 @@ Sheet step_sheet(const std::string& name, const std::vector<Column>& all,
     add_row(sheet, std::move(units));
     for (const Json* row : rows) {
         std::vector<SheetCell> cells;
+        count.all += columns.size();
         for (const Column* column : columns) {
             const Json& value = member(*row, column->key.c_str());
             cells.emplace_back();
-            if (value.is_number())
+            if (value.is_number()) {
                 cells.back() = value.get<double>();
+                ++count.filled;
+            }
         }
+        if (is_too_sparse(count))
+            break; // the caller says so
         add_row(sheet, std::move(cells));
     }
     return sheet;
 }
 
+/// Refuses objects of so many members that looking each up among the others takes for ever.
+class MemberLimit {
+public:
+    explicit MemberLimit(const std::filesystem::path& file) : file_(file) {}
+    bool operator()(Json::parse_event_t event) {
+        constexpr std::size_t most_members = 2000;
+        if (event == Json::parse_event_t::object_start)
+            members_.push_back(0);
+        else if (event == Json::parse_event_t::object_end)
+            members_.pop_back();
+        else if (event == Json::parse_event_t::key && ++members_.back() > most_members)
+            fail(file_,
+                 fmt::format("this JSON is no export of TRIOS: it has an object of more than "
+                             "{} members",
+                             most_members));
+        return true;
+    }
+
+private:
+    const std::filesystem::path& file_;
+    std::vector<std::size_t> members_; ///< so far, of each object that is open
+};
+
 Json parsed(const std::filesystem::path& file) {
+    MemberLimit limit(file);
     try {
-        return Json::parse(bytes_of(file));
+        return Json::parse(bytes_of(file), [&limit](int, Json::parse_event_t event, const Json&) {
+            return limit(event);
+        });
     } catch (const nlohmann::json::exception& error) {
         fail(file, fmt::format("this begins like JSON, but is none: {}", error.what()));
     }
@@ -181,12 +213,15 @@ std::vector<Sheet> read_trios_json(const std::filesystem::path& file) {
 
     const std::vector<Column> columns = columns_of(headers);
     std::vector<Sheet> sheets{details_of(document)};
+    CellCount count;
     const Json& steps = member(set, "ResultsSteps");
     if (steps.is_array() && !steps.empty()) {
         for (const Json& step : steps) {
-            const auto own = rows_of.find(text_of(member(step, "Id")));
-            if (own != rows_of.end())
-                sheets.push_back(step_sheet(text_of(member(step, "Name")), columns, own->second));
+            // Taken out: a second step of the same id has no rows of its own.
+            const auto own = rows_of.extract(text_of(member(step, "Id")));
+            if (!own.empty())
+                sheets.push_back(
+                    step_sheet(text_of(member(step, "Name")), columns, own.mapped(), count));
         }
     }
     // A file without a list of steps is one step.
@@ -194,8 +229,10 @@ std::vector<Sheet> read_trios_json(const std::filesystem::path& file) {
         std::vector<const Json*> all;
         for (const Json& row : rows)
             all.push_back(&row);
-        sheets.push_back(step_sheet(file.stem().string(), columns, all));
+        sheets.push_back(step_sheet(file.stem().string(), columns, all, count));
     }
+    if (is_too_sparse(count))
+        fail(file, "this export of TRIOS is damaged: nearly all of its cells are empty");
     if (sheets.size() == 1)
         fail(file, "this export of TRIOS holds no rows");
     return sheets;
