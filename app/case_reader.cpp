@@ -20,7 +20,11 @@ constexpr std::string_view resolved_heading =
 /// The faults of all cases of a file, each said once.
 class Complaints {
 public:
+    /// Whether so many faults were found, most of them again and again in the cases of a sweep,
+    /// that looking at more cases only takes time.
+    [[nodiscard]] bool are_enough() const { return found_ > 2000; }
     void add(std::vector<casefile::Fault> faults) {
+        found_ += faults.size();
         for (casefile::Fault& fault : faults)
             if (said_.insert(identity(fault)).second)
                 faults_.push_back(std::move(fault));
@@ -38,6 +42,7 @@ private:
         return text;
     }
 
+    std::size_t found_ = 0;
     std::set<std::string> said_;
     std::vector<casefile::Fault> faults_;
 };
@@ -122,6 +127,8 @@ std::vector<Case> cases_in(const casefile::Document& document, const std::filesy
     complaints.add(document.syntax_faults);
     std::vector<Case> cases;
     for (casefile::SweptCase& one : trees_of(document, file, overrides, complaints)) {
+        if (complaints.are_enough())
+            break;
         casefile::Reading reading;
         reading.reports_missing_keys = document.syntax_faults.empty();
         reading.whole_file = case_keys().set().get();
@@ -185,6 +192,8 @@ MeshCase read_mesh_case(const std::filesystem::path& file,
     CaseAsWritten written;
     std::vector<std::string> names;
     for (const casefile::SweptCase& one : trees) {
+        if (complaints.are_enough())
+            break;
         casefile::Reading reading;
         reading.reports_missing_keys = document.syntax_faults.empty();
         reading.whole_file = case_keys().set().get();

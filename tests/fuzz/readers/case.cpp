@@ -7,9 +7,9 @@ namespace searle::fuzz {
 void read_case(std::string_view bytes) {
     const std::filesystem::path file = file_of(bytes, "case.toml");
     try {
-        for (const app::Case& read : app::read_cases(file))
-            // What was read can be written and read again.
-            static_cast<void>(app::read_cases_text(read.resolved_toml, "resolved.toml"));
+        // What was read can be written and read again.
+        const std::vector<app::Case> cases = app::read_cases(file);
+        static_cast<void>(app::read_cases_text(cases.front().resolved_toml, "resolved.toml"));
     } catch (const app::CaseError&) {
     }
     try {
