@@ -49,7 +49,7 @@ std::map<std::string, Whole> wholes(const Json& object) {
 
 /// A name that stands for a folder must not lead out of the result.
 std::string folder_name(const Json& value) {
-    const std::string name = value;
+    std::string name = value;
     if (name.find('/') != std::string::npos || name == "..")
         changed("'" + name + "' is no name of a folder");
     return name;

@@ -10,7 +10,9 @@
 namespace searle::fuzz {
 
 /// For the names of the tests.
-static void PrintTo(const Reader& reader, std::ostream* stream) { *stream << reader.name; }
+static std::ostream& operator<<(std::ostream& stream, const Reader& reader) {
+    return stream << reader.name;
+}
 
 namespace {
 
