@@ -5,10 +5,14 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <cerrno>
+#include <cstdint>
 #include <fcntl.h>
+#include <map>
 #include <unistd.h>
 #include <utility>
+#include <vector>
 
 namespace searle::app {
 namespace {
@@ -16,13 +20,31 @@ namespace {
 namespace fs = std::filesystem;
 using solvers::suspension::Checkpoint;
 
-constexpr int format = 2;
+constexpr int format = 3;
+constexpr const char* checksum_column = "checksum";
 
 std::string identity(const std::string& case_hash) {
     const auto versions = all_versions();
     const auto program = versions.find("searle");
     return fmt::format("searle {} checkpoint {} case {}",
                        program == versions.end() ? "" : program->second, format, case_hash);
+}
+
+/// Of names and values, as two whole numbers of 32 bits: HDF5 hands out what a damaged disk holds,
+/// and a run would go on from it.
+std::vector<double> checksum_of(const std::map<std::string, std::vector<double>>& columns) {
+    constexpr std::uint64_t prime = 0x100000001b3; // of FNV-1a, here on words of 64 bits
+    std::uint64_t hash = 0xcbf29ce484222325;
+    const auto add = [&hash](std::uint64_t word) { hash = (hash ^ word) * prime ^ hash >> 32U; };
+    for (const auto& [name, values] : columns) {
+        add(name.size());
+        for (const char letter : name)
+            add(static_cast<unsigned char>(letter));
+        add(values.size());
+        for (const double value : values)
+            add(std::bit_cast<std::uint64_t>(value));
+    }
+    return {static_cast<double>(hash >> 32U), static_cast<double>(hash & 0xffffffffU)};
 }
 
 /// On the disk for good, not only in the system's memory.
@@ -47,7 +69,9 @@ void write_checkpoint(const fs::path& file, const Checkpoint& checkpoint,
         std::error_code ignored;
         if (file.has_parent_path())
             fs::create_directories(file.parent_path(), ignored);
-        good = write_columns(beside, {identity(case_hash), checkpoint.columns()});
+        StoredColumns stored{identity(case_hash), checkpoint.columns()};
+        stored.columns[checksum_column] = checksum_of(checkpoint.columns());
+        good = write_columns(beside, stored);
     }
     const int number = errno;
     std::error_code failed;
@@ -77,6 +101,9 @@ std::optional<Checkpoint> read_checkpoint(const fs::path& file, const std::strin
     if (stored->identity != identity(case_hash))
         refuse(fmt::format("the checkpoint is of another case or version (\"{}\"; this is \"{}\")",
                            stored->identity, identity(case_hash)));
+    const auto checksum = stored->columns.extract(checksum_column);
+    if (checksum.empty() || checksum.mapped() != checksum_of(stored->columns))
+        refuse("the checkpoint is damaged");
     Checkpoint checkpoint;
     checkpoint.columns() = std::move(stored->columns);
     return checkpoint;

@@ -114,6 +114,27 @@ TEST(CheckpointFile, comes_back_bit_for_bit_and_is_refused_to_others) {
     EXPECT_EQ(searle::app::testing::names_in(folder.path()), "run.checkpoint.h5");
 }
 
+TEST(CheckpointFile, a_changed_value_or_name_is_noticed) {
+    const TemporaryFolder folder;
+    const auto file = folder / "run.checkpoint.h5";
+    searle::solvers::suspension::Checkpoint checkpoint;
+    checkpoint.put("values", std::vector<double>{1.25, 2.5});
+    write_checkpoint(file, checkpoint, "a");
+    const std::string whole = text_of(file);
+    const double value = 2.5;
+    const std::string in_file(reinterpret_cast<const char*>(&value), sizeof value);
+    for (const std::string& part : {in_file, std::string("values"), std::string("checksum")}) {
+        std::string damaged = whole;
+        const std::size_t at = damaged.find(part);
+        ASSERT_NE(at, std::string::npos);
+        damaged[at] = static_cast<char>(damaged[at] ^ 1);
+        std::ofstream(file, std::ios::binary) << damaged;
+        EXPECT_THROW(static_cast<void>(read_checkpoint(file, "a")), searle::app::CheckpointError);
+    }
+    std::ofstream(file, std::ios::binary) << whole;
+    EXPECT_TRUE(read_checkpoint(file, "a").has_value());
+}
+
 TEST(CheckpointFile, of_another_case_stops_the_run_with_a_message) {
     const TemporaryFolder folder;
     write_text(folder / "case.toml", small_case);
