@@ -16,6 +16,12 @@ namespace searle::solvers {
 [[nodiscard]] inline bool has_ends(const Scene& scene) {
     return geometry::has_ends(scene.instrument);
 }
+/// A single or double gap without ends: where vortices are solved in a periodic cell.
+[[nodiscard]] inline bool is_endless_gap(const Scene& scene) {
+    return (std::holds_alternative<geometry::ConcentricCylinders>(scene.instrument) ||
+            std::holds_alternative<geometry::DoubleGap>(scene.instrument)) &&
+           !has_ends(scene);
+}
 [[nodiscard]] inline bool is_newtonian(const Scene& scene) {
     return std::holds_alternative<laws::flow::Newtonian>(scene.fluid.law);
 }

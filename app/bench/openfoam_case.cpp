@@ -2,12 +2,12 @@
 
 #include "geometry/mesh_build.hpp"
 #include "geometry/mesh_format/write_mesh.hpp"
+#include "solvers/openfoam/file_text.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <fstream>
-#include <iterator>
 #include <numbers>
 #include <random>
 #include <regex>
@@ -141,14 +141,10 @@ std::string pressure(const FoamCase& foam) {
            fixed + "\n}\n";
 }
 
-std::string text_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 void make_slices_symmetric(const fs::path& boundary) {
     const std::regex slice(R"((slice_\w+\s*\{\s*type\s+)\w+;(\s*inGroups[^;]*;)?)");
-    put(boundary, std::regex_replace(text_of(boundary), slice, "$1symmetryPlane;"));
+    put(boundary,
+        std::regex_replace(solvers::openfoam::text_of(boundary), slice, "$1symmetryPlane;"));
 }
 
 } // namespace
@@ -183,7 +179,8 @@ std::vector<std::string> foam_environment() {
 
 std::vector<FoamTorque> foam_torques(const fs::path& folder) {
     std::vector<FoamTorque> torques;
-    std::istringstream lines(text_of(folder / "postProcessing/torque/0/moment.dat"));
+    std::istringstream lines(
+        solvers::openfoam::text_of(folder / "postProcessing/torque/0/moment.dat"));
     for (std::string line; std::getline(lines, line);) {
         if (line.empty() || line.front() == '#')
             continue;

@@ -36,14 +36,7 @@ void check_finite(const SolvedCase& solved) {
             throw Reason(Verdict::crashed, "a row holds a number that is none");
 }
 
-std::string why_not_reached(const SolvedCase& solved) {
-    std::string text;
-    for (const std::string& warning : warnings_of(solved))
-        text = warning; // the last one names the accuracy
-    return text;
-}
-
-/// Verdict, worst ratio, largest claimed error, basis (0 digits, 1 series, 2 finer run, 3 none).
+/// Verdict, worst ratio, largest claimed error, TruthBasis.
 std::vector<double> judged(const RandomCase& scene, double limit) {
     std::vector<Case> cases = read_cases_text(scene.text, "scene.toml");
     if (cases.empty())
@@ -68,10 +61,10 @@ std::vector<double> judged(const RandomCase& scene, double limit) {
     const double code = completeness == Completeness::complete
                             ? static_cast<double>(Verdict::right)
                             : static_cast<double>(Verdict::gave_up);
-    if (completeness == Completeness::not_reached && why_not_reached(solved).empty())
+    if (completeness == Completeness::not_reached && warnings_of(solved).empty())
         throw Reason(Verdict::crashed, "gave up without a reason");
     if (!scene.physical || solved.source.scene.particles)
-        return {code, 0.0, claimed, 3.0};
+        return {code, 0.0, claimed, static_cast<double>(TruthBasis::none)};
     const SceneTruth truth = truth_of(solved, truth_share * limit);
     const auto& rows = solved.solution.history.rows;
     double worst = 0.0;
@@ -81,10 +74,8 @@ std::vector<double> judged(const RandomCase& scene, double limit) {
         if (distance > 0.0)
             worst = std::max(worst, distance / bars);
     }
-    const double basis = truth.basis == "50 digits"      ? 0.0
-                         : truth.basis == "exact series" ? 1.0
-                                                         : 2.0;
-    return {worst > 1.0 ? static_cast<double>(Verdict::wrong) : code, worst, claimed, basis};
+    return {worst > 1.0 ? static_cast<double>(Verdict::wrong) : code, worst, claimed,
+            static_cast<double>(truth.basis)};
 }
 
 /// The system ends the process when it has used so much CPU: what waits for a busy machine does not
@@ -154,11 +145,10 @@ Trial try_scene(const RandomCase& scene, double limit, const bench::StopQuestion
         return trial;
     }
     if (ended.values.size() == 4) {
-        static constexpr const char* bases[] = {"50 digits", "exact series", "a finer run", ""};
         trial.verdict = static_cast<Verdict>(static_cast<int>(ended.values[0]));
         trial.worst_ratio = ended.values[1];
         trial.relative_error = ended.values[2];
-        trial.truth = bases[static_cast<std::size_t>(ended.values[3])];
+        trial.truth = name_of(static_cast<TruthBasis>(static_cast<int>(ended.values[3])));
         if (trial.verdict == Verdict::wrong)
             trial.reason = fmt::format("{:.3g} error bars from {}", trial.worst_ratio, trial.truth);
         return trial;

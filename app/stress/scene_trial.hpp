@@ -32,8 +32,8 @@ struct Trial {
 
 /// Runs a scene in a process of its own and holds it to the truth: of steady gaps an evaluation
 /// with 50 digits, of a box the flow law itself, of a Newtonian ramp from rest the exact series; of
-/// all others a run of a tenth of the asked error (a third around a bob's ends), both bars counted. A mangled case need only be
-/// refused or come to an end.
+/// all others a run of a tenth of the asked error (a third around a bob's ends), both bars counted.
+/// A mangled case need only be refused or come to an end.
 /// @param limit  CPU seconds of the scene; the truth may take as many again
 [[nodiscard]] Trial try_scene(const RandomCase& scene, double limit,
                               const bench::StopQuestion& stop);

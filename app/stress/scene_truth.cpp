@@ -42,7 +42,7 @@ std::vector<AnnularGap> gaps_of(const geometry::Instrument& instrument, double& 
 
 SceneTruth steady_truth(const SolvedCase& solved) {
     const solvers::Scene& scene = solved.source.scene;
-    SceneTruth truth{{}, {}, "50 digits"};
+    SceneTruth truth{{}, {}, TruthBasis::digits};
     for (const rheometry::TorqueRow& row : solved.solution.history.rows) {
         double torque = 0.0;
         if (const auto* box = std::get_if<geometry::Box>(&scene.instrument)) {
@@ -83,7 +83,7 @@ SceneTruth series_truth(const SolvedCase& solved) {
         return {};
     }
     const double resolved = 30.0 * gap * gap / (viscosity * std::pow(std::numbers::pi * modes, 2));
-    SceneTruth truth{{}, {}, "exact series"};
+    SceneTruth truth{{}, {}, TruthBasis::series};
     for (const rheometry::TorqueRow& row : solved.solution.history.rows) {
         if (row.time < resolved)
             return {};
@@ -107,7 +107,7 @@ SceneTruth finer_truth(const SolvedCase& solved, double seconds) {
             throw solvers::Interrupted();
     };
     const SolvedCase finer = solve_case(plan_case(std::move(source), StageClock()), in_time);
-    SceneTruth truth{{}, {}, "a finer run"};
+    SceneTruth truth{{}, {}, TruthBasis::finer_run};
     for (const rheometry::TorqueRow& row : finer.solution.history.rows) {
         truth.torque.push_back(row.torque);
         truth.error.push_back(row.torque_error);
@@ -116,6 +116,20 @@ SceneTruth finer_truth(const SolvedCase& solved, double seconds) {
 }
 
 } // namespace
+
+std::string_view name_of(TruthBasis basis) {
+    switch (basis) {
+    case TruthBasis::digits:
+        return "50 digits";
+    case TruthBasis::series:
+        return "exact series";
+    case TruthBasis::finer_run:
+        return "a finer run";
+    case TruthBasis::none:
+        break;
+    }
+    return "";
+}
 
 SceneTruth truth_of(const SolvedCase& solved, double seconds) {
     const solvers::Scene& scene = solved.source.scene;

@@ -93,17 +93,10 @@ void follow_swirl(const SectionShape& shape, const Scene& scene,
                   const rheometry::SpeedHistory& history, AxisymmetricReport& report,
                   const ProgressSink& progress) {
     radial::RadialReport& solution = report.solution;
-    std::vector<rheometry::TorqueRow>& rows = solution.history.rows;
-    SwirlHistory swirl =
-        swirl_history(shape, scene.fluid.law, scene.fluid.density, history, scene.solver.accuracy,
-                      radial::rows_with_fields(scene.output, rows.size()), progress);
-    rows.resize(std::min(rows.size(), swirl.torque.size()));
-    report.end_factor.resize(rows.size());
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        rows[k].torque = swirl.torque[k];
-        rows[k].torque_error = swirl.error[k];
-    }
-    solution.transient = true;
+    SwirlHistory swirl = swirl_history(
+        shape, scene.fluid.law, scene.fluid.density, history, scene.solver.accuracy,
+        radial::rows_with_fields(scene.output, solution.history.rows.size()), progress);
+    fill_from_run(swirl.torque, swirl.error, report);
     solution.interrupted = swirl.interrupted;
     solution.refinements = swirl.levels;
     solution.elements = swirl.elements;
@@ -115,13 +108,7 @@ void follow_swirl(const SectionShape& shape, const Scene& scene,
     if (!swirl.stopped.empty()) {
         solution.notes.push_back("Swirl in time: " + swirl.stopped + ".");
     }
-    if (swirl.rows_at_rest > 0) {
-        solution.notes.push_back(fmt::format(
-            "At rest the yield stress holds the fluid, and its flow law leaves the torque open "
-            "between plus and minus the yield torque: at {} row{} without speed the error bar "
-            "covers that range.",
-            swirl.rows_at_rest, swirl.rows_at_rest == 1 ? "" : "s"));
-    }
+    radial::note_rest(static_cast<int>(swirl.rows_at_rest), solution);
 }
 
 std::string range_text(const std::vector<double>& factors) {
@@ -139,6 +126,18 @@ std::string range_text(const std::vector<double>& factors) {
 }
 
 } // namespace
+
+void fill_from_run(std::span<const double> torque, std::span<const double> error,
+                   AxisymmetricReport& report) {
+    std::vector<rheometry::TorqueRow>& rows = report.solution.history.rows;
+    rows.resize(std::min(rows.size(), torque.size()));
+    report.end_factor.resize(rows.size());
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        rows[k].torque = torque[k];
+        rows[k].torque_error = error[k];
+    }
+    report.solution.transient = true;
+}
 
 AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
                                       const ProgressSink& progress) {
@@ -208,11 +207,7 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
         if (plan.transient && newtonian != nullptr && !solution.interrupted) {
             const TransientSwirl swirl = transient_swirl(shape, newtonian->viscosity,
                                                          scene.fluid.density, *history, accuracy);
-            for (std::size_t k = 0; k < rows.size(); ++k) {
-                rows[k].torque = swirl.torque[k];
-                rows[k].torque_error = swirl.error[k];
-            }
-            solution.transient = true;
+            fill_from_run(swirl.torque, swirl.error, report);
             const auto chosen = radial::rows_with_fields(scene.output, rows.size());
             if (!chosen.empty()) {
                 solution.fields = transient_fields(shape, newtonian->viscosity, scene.fluid.density,

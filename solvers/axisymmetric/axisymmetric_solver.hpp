@@ -7,6 +7,7 @@
 #include "solvers/radial/radial_solver.hpp"
 #include "solvers/scene.hpp"
 
+#include <span>
 #include <vector>
 
 namespace searle::solvers::axisymmetric {
@@ -22,9 +23,14 @@ struct AxisymmetricReport {
     std::vector<rheometry::EndEffect> ends;
 };
 
-/// Torque history of a DIN bob with its ends, swirl only: steady rows of any flow law, and a
-/// Newtonian fluid's inertia in the whole section. What is left out (secondary flow; the inertia of
-/// another fluid) is added to the rows' errors as large as the plan estimates it, unless the case
+/// Puts the torques of a run in time in place of the steady ones; rows that it did not finish go.
+/// @param error  one per torque, N m
+void fill_from_run(std::span<const double> torque, std::span<const double> error,
+                   AxisymmetricReport& report);
+
+/// Torque history of an instrument with its ends, swirl only: steady rows, or rows with the inertia
+/// in the whole section, of any flow law. What is left out (secondary flow; inertia that the plan
+/// found small) is added to the rows' errors as large as the plan estimates it, unless the case
 /// says solver.model = "axisymmetric" or secondary_flow = false.
 /// @param scene  whose instrument has ends (section_shape)
 [[nodiscard]] AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,

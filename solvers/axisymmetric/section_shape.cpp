@@ -5,6 +5,16 @@
 #include <numbers>
 
 namespace searle::solvers::axisymmetric {
+namespace {
+
+radial::AnnularGap gap_outside_rotor(const SectionShape& shape) {
+    if (const geometry::DinBob* bob = shape.bob()) {
+        return {bob->bob_radius, bob->cup_radius};
+    }
+    return {shape.double_gap()->radii[2], shape.double_gap()->radii[3]};
+}
+
+} // namespace
 
 double SectionShape::unit() const {
     return bob() != nullptr ? bob()->bob_radius : double_gap()->radii[2];
@@ -22,11 +32,10 @@ double SectionShape::endless_torque(const laws::flow::AnyFlowLaw& law, double sp
             radial::steady_gap_flow({outside, cup}, law, speed).torque_per_length);
 }
 
+double SectionShape::gap() const { return gap_outside_rotor(*this).width(); }
+
 double SectionShape::wall_rate(const laws::flow::AnyFlowLaw& law, double speed) const {
-    const radial::AnnularGap gap =
-        bob() != nullptr ? radial::AnnularGap{bob()->bob_radius, bob()->cup_radius}
-                         : radial::AnnularGap{double_gap()->radii[2], double_gap()->radii[3]};
-    return radial::steady_gap_flow(gap, law, speed).inner_wall_rate;
+    return radial::steady_gap_flow(gap_outside_rotor(*this), law, speed).inner_wall_rate;
 }
 
 std::optional<SectionShape> section_shape(const geometry::Instrument& instrument) {

@@ -33,6 +33,8 @@ public:
     }
     /// The length that meshes are scaled with, m: the radius of the bob, of the rotor outside.
     [[nodiscard]] double unit() const;
+    /// Width of the gap outside the rotor, m.
+    [[nodiscard]] double gap() const;
     /// Torque of the wetted length of an endless instrument at a speed > 0, N m.
     [[nodiscard]] double endless_torque(const laws::flow::AnyFlowLaw& law, double speed) const;
     /// Rate of shear at the rotor's outer wall there, 1/s.

@@ -22,8 +22,6 @@ constexpr double element_ratio = 0.15;
 /// Element next to the rotor over the gap at the first level, and what it falls by.
 constexpr double first_size = 0.1;
 constexpr double size_fall = 0.4;
-/// The first element holds the layer of momentum at the first row at least once.
-constexpr double layer_share = 1.0;
 /// Tolerance of a step over the accuracy at the first level, and what it falls by.
 constexpr double first_tolerance = 0.03;
 constexpr double tolerance_fall = 0.25;
@@ -56,7 +54,7 @@ Level run_level(const SectionSpace& space, const SwirlLaw& law,
     SwirlStepper stepper(space, law, settings);
     const double reference = history.fastest_speed();
     Level level;
-    level.steady = stepper.steady_torque(1.0);
+    level.steady = stepper.start_steadily(1.0) ? stepper.torque() : 0.0;
     const auto stop = [&] {
         level.stopped_at = stepper.time();
         level.steps = stepper.steps();
@@ -130,14 +128,7 @@ double thinnest_layer(const SectionShape& shape, const laws::flow::AnyFlowLaw& l
     return thinnest;
 }
 
-double gap_of(const SectionShape& shape) {
-    if (const auto* bob = shape.bob()) {
-        return bob->cup_radius - bob->bob_radius;
-    }
-    return shape.double_gap()->radii[3] - shape.double_gap()->radii[2];
-}
-
-/// Every interval across the gap and along the cylinder in two: a yield surface may lie anywhere.
+/// Every interval across the gap and below the bob in two: a yield surface may lie anywhere.
 SectionLines halved(const SectionLines& lines) {
     LineMarks marks;
     for (std::size_t family = 0; family < line_families; ++family) {
@@ -146,6 +137,62 @@ SectionLines halved(const SectionLines& lines) {
         marks[family].assign(lines[family].empty() ? 0 : lines[family].size() - 1, is_crossed);
     }
     return refined(lines, marks, element_ratio);
+}
+
+/// Bars from the torques of the level before, empty at the first; the result is what each row has
+/// changed by.
+/// @param yield_torque  of a fluid at rest, N m; 0 without a yield stress
+std::vector<double> set_errors(const std::vector<double>& before,
+                               const std::vector<double>& change_before, double correction,
+                               double yield_torque, const rheometry::SpeedHistory& history,
+                               SwirlHistory& result) {
+    double largest = 0.0;
+    for (const double each : result.torque) {
+        largest = std::max(largest, std::abs(each));
+    }
+    std::vector<double> change = level_changes(before, result.torque);
+    result.error.assign(result.torque.size(), largest);
+    result.worst_relative_error = before.empty() ? 1.0 : 0.0;
+    result.rows_at_rest = 0;
+    for (std::size_t k = 0; k < change.size(); ++k) {
+        const double torque = std::abs(result.torque[k]);
+        if (yield_torque > 0.0 && history.speed_at(history.row_times[k]) == 0.0 &&
+            torque <= 1.01 * yield_torque) {
+            result.error[k] = torque + yield_torque;
+            ++result.rows_at_rest;
+            continue;
+        }
+        // Two levels that agree by accident: a sixth of what they differed by before.
+        const double earlier = k < change_before.size() ? change_before[k] / 6.0 : 0.0;
+        result.error[k] =
+            safety * std::max(change[k], earlier) + std::abs((correction - 1.0) * torque);
+        const double against = std::max(torque, least_scale * largest);
+        result.worst_relative_error =
+            std::max(result.worst_relative_error, against > 0.0 ? result.error[k] / against : 0.0);
+    }
+    return change;
+}
+
+std::vector<rheometry::fields::SectionFields>
+fields_at_rows(const std::vector<std::pair<std::size_t, Eigen::VectorXd>>& kept,
+               const SectionMesh& mesh, const SectionShape& shape,
+               const laws::flow::AnyFlowLaw& law, const rheometry::SpeedHistory& history,
+               int degree, double wall_rate) {
+    std::vector<rheometry::fields::SectionFields> fields;
+    for (const auto& [row, rotation] : kept) {
+        auto section = swirl_fields({.mesh = mesh,
+                                     .length = shape.unit(),
+                                     .degree = degree,
+                                     .rotation = rotation,
+                                     .speed = history.fastest_speed(),
+                                     .rate_scale = wall_rate},
+                                    law);
+        section.row = row;
+        section.time = history.row_times[row - 1];
+        section.speed = history.speed_at(section.time);
+        fields.push_back(std::move(section));
+    }
+    return fields;
 }
 
 } // namespace
@@ -163,14 +210,13 @@ SwirlHistory swirl_history(const SectionShape& shape, const laws::flow::AnyFlowL
         .tolerance = first_tolerance * accuracy,
         .inertia = density * std::pow(shape.unit(), 2) * reference / scaled.stress_scale(),
         .rounding = (yields ? first_rounding : smooth_rounding) * wall_rate / reference};
-    double size = std::min(first_size, layer_share * thinnest_layer(shape, law, density, history) /
-                                           gap_of(shape));
+    // No wider than the layer of momentum at the first row.
+    double size = std::min(first_size, thinnest_layer(shape, law, density, history) / shape.gap());
     // What the elements at the rotor's edges miss is alike from level to level; the steady flow,
     // whose torque is known within bounds, shows it.
-    const double exact = creeping_torque(shape, law, reference,
-                                         {.accuracy = 0.1 * accuracy, .certified = false}, progress)
-                             .torque /
-                         scale;
+    const double exact =
+        creeping_torque(shape, law, reference, {.accuracy = 0.1 * accuracy}, progress).torque /
+        scale;
     // What a fluid at rest carries: the torque of the slowest flow.
     const double yield_torque =
         yields ? creeping_torque(shape, law, 1e-6 * reference, {.accuracy = 1e-2}, progress).torque
@@ -179,6 +225,9 @@ SwirlHistory swirl_history(const SectionShape& shape, const laws::flow::AnyFlowL
     double work = 0.0;
     try {
         for (int number = 0; number < most_levels; ++number) {
+            if (number > 1 && level_growth * work > most_work) {
+                break;
+            }
             const int degree = std::min(first_degree + number, highest_degree);
             SectionLines lines = graded_lines(shape, {.smallest = size, .ratio = element_ratio});
             for (int cut = 0; yields && cut < number / 3; ++cut) {
@@ -186,9 +235,6 @@ SwirlHistory swirl_history(const SectionShape& shape, const laws::flow::AnyFlowL
             }
             const SectionMesh mesh = section_of(shape, lines);
             const SectionSpace space(mesh, Field::rotation, degree, degree + (yields ? 4 : 2));
-            if (number > 1 && level_growth * work > most_work) {
-                break;
-            }
             Level level = run_level(space, scaled, settings, history, field_rows, progress,
                                     fmt::format("swirl in time, level {}", number + 1));
             result.newton_steps += level.solves;
@@ -208,45 +254,10 @@ SwirlHistory swirl_history(const SectionShape& shape, const laws::flow::AnyFlowL
             for (const double each : level.torque) {
                 result.torque.push_back(scale * correction * each);
             }
-            double largest = 0.0;
-            for (const double each : result.torque) {
-                largest = std::max(largest, std::abs(each));
-            }
-            const std::vector<double> change = level_changes(before, result.torque);
-            result.error.assign(result.torque.size(), largest);
-            result.worst_relative_error = number == 0 ? 1.0 : 0.0;
-            result.rows_at_rest = 0;
-            for (std::size_t k = 0; k < change.size(); ++k) {
-                const bool stands = yields && history.speed_at(history.row_times[k]) == 0.0 &&
-                                    std::abs(result.torque[k]) <= 1.01 * yield_torque;
-                if (stands) {
-                    result.error[k] = std::abs(result.torque[k]) + yield_torque;
-                    ++result.rows_at_rest;
-                    continue;
-                }
-                // Two levels that agree by accident: a sixth of what they differed by before.
-                const double earlier = k < change_before.size() ? change_before[k] / 6.0 : 0.0;
-                result.error[k] = safety * std::max(change[k], earlier) +
-                                  std::abs((correction - 1.0) * result.torque[k]);
-                const double against = std::max(std::abs(result.torque[k]), least_scale * largest);
-                result.worst_relative_error = std::max(
-                    result.worst_relative_error, against > 0.0 ? result.error[k] / against : 0.0);
-            }
-            change_before = change;
-            result.fields.clear();
-            for (const auto& [row, rotation] : level.kept) {
-                auto section = swirl_fields({.mesh = mesh,
-                                             .length = shape.unit(),
-                                             .degree = degree,
-                                             .rotation = rotation,
-                                             .speed = reference,
-                                             .rate_scale = wall_rate},
-                                            law);
-                section.row = row;
-                section.time = history.row_times[row - 1];
-                section.speed = history.speed_at(section.time);
-                result.fields.push_back(std::move(section));
-            }
+            change_before =
+                set_errors(before, change_before, correction, yield_torque, history, result);
+            result.fields =
+                fields_at_rows(level.kept, mesh, shape, law, history, degree, wall_rate);
             result.reached =
                 number > 0 && level.complete && result.worst_relative_error <= accuracy;
             if (result.reached || !level.complete) {

@@ -40,7 +40,7 @@ bool SwirlStepper::solve(double theta, const Eigen::VectorXd& centre, double spe
         std::max(least_decrement, std::pow(newton_share * settings_.tolerance, 2));
     const Eigen::VectorXd start = values;
     const SwirlLaw::RoundedPotential density(law_, settings_.rounding);
-    Minimised found =
+    const Minimised found =
         minimiser_.minimise(density, no_load_, decrement, most_newton_steps, values, &inertia);
     solves_ += found.steps;
     if (found.converged) {
@@ -48,13 +48,21 @@ bool SwirlStepper::solve(double theta, const Eigen::VectorXd& centre, double spe
     }
     // A plug's edge far from where it was: from a rounder law.
     values = start;
+    return approach(decrement, most_newton_steps, &inertia, values);
+}
+
+bool SwirlStepper::approach(double decrement, int most_steps, const InertiaTerm* inertia,
+                            Eigen::VectorXd& values) {
+    constexpr double on_the_way = 1e-6; // decrement
     for (double rounding = 1.0; rounding > 1.001 * settings_.rounding;
          rounding = std::max(rounding_step * rounding, settings_.rounding)) {
         const SwirlLaw::RoundedPotential rounder(law_, rounding);
-        found = minimiser_.minimise(rounder, no_load_, 1e-6, most_newton_steps, values, &inertia);
-        solves_ += found.steps;
+        solves_ +=
+            minimiser_.minimise(rounder, no_load_, on_the_way, most_steps, values, inertia).steps;
     }
-    found = minimiser_.minimise(density, no_load_, decrement, most_steady_steps, values, &inertia);
+    const SwirlLaw::RoundedPotential density(law_, settings_.rounding);
+    const Minimised found =
+        minimiser_.minimise(density, no_load_, decrement, most_steady_steps, values, inertia);
     solves_ += found.steps;
     return found.converged;
 }
@@ -62,30 +70,8 @@ bool SwirlStepper::solve(double theta, const Eigen::VectorXd& centre, double spe
 bool SwirlStepper::start_steadily(double speed) {
     rate_.setZero();
     rotation_.setZero();
-    if (speed == 0.0) {
-        return true;
-    }
     turn_rotor(speed, rotation_);
-    for (double rounding = 1.0;;
-         rounding = std::max(rounding_step * rounding, settings_.rounding)) {
-        const bool is_last = rounding <= 1.001 * settings_.rounding;
-        const SwirlLaw::RoundedPotential density(law_, rounding);
-        const Minimised found = minimiser_.minimise(
-            density, no_load_, is_last ? steady_decrement : 1e-6, most_steady_steps, rotation_);
-        solves_ += found.steps;
-        if (is_last) {
-            return found.converged;
-        }
-    }
-}
-
-double SwirlStepper::steady_torque(double speed) {
-    const Eigen::VectorXd kept = rotation_;
-    const Eigen::VectorXd kept_rate = rate_;
-    const double found = start_steadily(speed) ? torque() : 0.0;
-    rotation_ = kept;
-    rate_ = kept_rate;
-    return found;
+    return speed == 0.0 || approach(steady_decrement, most_steady_steps, nullptr, rotation_);
 }
 
 bool SwirlStepper::begin(const SwirlDrive& drive, double first) {

@@ -46,8 +46,6 @@ public:
     [[nodiscard]] double time() const { return time_; }
     /// Over 2 pi length^3 stress scale, at the present time.
     [[nodiscard]] double torque();
-    /// The same of the steady flow at a speed, from the rounding 1 down; 0 where it is not found.
-    [[nodiscard]] double steady_torque(double speed);
     [[nodiscard]] const Eigen::VectorXd& rotation() const { return rotation_; }
     [[nodiscard]] long steps() const { return steps_; }
     [[nodiscard]] long solves() const { return solves_; }
@@ -55,6 +53,9 @@ public:
 private:
     [[nodiscard]] bool solve(double theta, const Eigen::VectorXd& centre, double speed,
                              Eigen::VectorXd& values);
+    /// Minimises from the rounding 1 down to the law's own, `most_steps` at each before the last.
+    [[nodiscard]] bool approach(double decrement, int most_steps, const InertiaTerm* inertia,
+                                Eigen::VectorXd& values);
     /// Error over what is allowed; infinite where a stage was not solved.
     [[nodiscard]] double attempt(double length);
     void turn_rotor(double speed, Eigen::VectorXd& values) const;

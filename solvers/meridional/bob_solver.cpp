@@ -220,17 +220,10 @@ void apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& rep
 void run_in_time(const Scene& scene, const rheometry::SpeedHistory& history,
                  AxisymmetricReport& report, const ProgressSink& progress) {
     radial::RadialReport& solution = report.solution;
-    std::vector<rheometry::TorqueRow>& rows = solution.history.rows;
     const TransientTorque run =
         transient_secondary_flow(bob_of(scene), scene.fluid.law, scene.fluid.density, history,
                                  scene.solver.accuracy, progress);
-    rows.resize(std::min(rows.size(), run.torque.size()));
-    report.end_factor.resize(rows.size());
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        rows[k].torque = run.torque[k];
-        rows[k].torque_error = run.error[k];
-    }
-    solution.transient = true;
+    fill_from_run(run.torque, run.error, report);
     solution.refinements = run.levels;
     solution.elements = run.elements;
     solution.time_steps = run.time_steps;

@@ -3,6 +3,7 @@
 #include "rheometry/schedule.hpp"
 #include "solvers/meridional/steady_vortices.hpp"
 #include "solvers/meridional/vortex_run.hpp"
+#include "solvers/plan_rows.hpp"
 #include "solvers/radial/transient_levels.hpp"
 #include "solvers/row_errors.hpp"
 #include "solvers/stability/taylor_threshold.hpp"
@@ -38,6 +39,8 @@ constexpr double other_doubt = 0.5;
 struct VortexGap {
     radial::AnnularGap gap;
     double height{};
+
+    [[nodiscard]] double relative_width() const { return gap.width() / gap.inner_radius; }
 };
 
 VortexGap gap_outside_rotor(const geometry::Instrument& instrument) {
@@ -48,10 +51,10 @@ VortexGap gap_outside_rotor(const geometry::Instrument& instrument) {
     return {{gaps.radii[2], gaps.radii[3]}, gaps.height};
 }
 
-double wavelength_for(const Scene& scene, const radial::AnnularGap& gap) {
-    const double relative = gap.width() / gap.inner_radius;
+double wavelength_for(const Scene& scene, const VortexGap& outside) {
     return scene.solver.vortex_wavelength.value_or(
-        2.0 * std::numbers::pi * gap.width() / stability::taylor_threshold(relative).wave_number);
+        2.0 * std::numbers::pi * outside.gap.width() /
+        stability::taylor_threshold(outside.relative_width()).wave_number);
 }
 
 bool is_free_choice(const Scene& scene) { return scene.solver.model == Model::automatic; }
@@ -75,15 +78,18 @@ double laminar_torque(const Scene& scene, const VortexGap& outside, double speed
            radial::steady_gap_flow(outside.gap, scene.fluid.law, speed).torque_per_length;
 }
 
+double turbulence_doubt(const Scene& scene) {
+    return is_newtonian(scene) ? newtonian_doubt : other_doubt;
+}
+
 /// Adds what turbulence was measured to add, and the doubt of it.
 void add_turbulence(const Scene& scene, const VortexGap& outside, const RowForecast& forecast,
                     rheometry::TorqueRow& row) {
-    const double ratio = stability::vortex_torque_ratio(
-        outside.gap.width() / outside.gap.inner_radius, forecast.taylor_ratio);
+    const double ratio =
+        stability::vortex_torque_ratio(outside.relative_width(), forecast.taylor_ratio);
     const double laminar = laminar_torque(scene, outside, std::abs(row.speed));
-    const bool is_newtonian = std::holds_alternative<laws::flow::Newtonian>(scene.fluid.law);
     row.torque += std::copysign((ratio - 1.0) * laminar, row.speed);
-    row.torque_error += (is_newtonian ? newtonian_doubt : other_doubt) * ratio * laminar;
+    row.torque_error += turbulence_doubt(scene) * ratio * laminar;
 }
 
 void add_steady_vortices(const Scene& scene, const Plan& plan, const VortexGap& outside,
@@ -139,6 +145,7 @@ void add_growing_vortices(const Scene& scene, const Plan& plan,
                           const rheometry::SpeedHistory& history, const VortexGap& outside,
                           double wavelength, radial::RadialReport& report,
                           const ProgressSink& progress) {
+    std::vector<rheometry::TorqueRow>& rows = report.history.rows;
     // Up to the first turbulent row; from there on nothing is followed.
     const std::size_t followed = static_cast<std::size_t>(
         std::ranges::find_if(plan.rows,
@@ -149,19 +156,19 @@ void add_growing_vortices(const Scene& scene, const Plan& plan,
         accuracies.push_back(worthwhile_accuracy(scene, plan.rows[k]));
     }
     VortexRun run;
+    radial::TransientTorque laminar;
     if (followed > 0) {
         run = vortex_run(outside.gap, wavelength, scene.fluid.law, scene.fluid.density,
                          scene.solver.disturbance, first_rows(history, followed), accuracies,
                          progress);
+        // The cell's flow takes the place of the laminar one in the gap outside the rotor, shortly
+        // before the first row past the onset; until then that one is known better.
+        const std::vector<radial::RotorGap> gaps =
+            radial::rotor_gaps(scene.instrument, scene.fluid.density);
+        laminar = radial::solve_levels({&gaps.back(), 1}, scene.fluid.law, history,
+                                       scene.solver.accuracy, progress);
+        rows.resize(std::min(rows.size(), laminar.torque.size()));
     }
-    // The cell's flow takes the place of the laminar one in the gap outside the rotor, shortly
-    // before the first row past the onset; until then that one is known better.
-    const std::vector<radial::RotorGap> gaps =
-        radial::rotor_gaps(scene.instrument, scene.fluid.density);
-    const radial::TransientTorque laminar = radial::solve_levels(
-        {&gaps.back(), 1}, scene.fluid.law, history, scene.solver.accuracy, progress);
-    std::vector<rheometry::TorqueRow>& rows = report.history.rows;
-    rows.resize(std::min(rows.size(), laminar.torque.size()));
     if (run.torque.size() < followed) { // stuck
         rows.resize(std::min(rows.size(), run.torque.size()));
     }
@@ -191,7 +198,6 @@ void add_growing_vortices(const Scene& scene, const Plan& plan,
 /// What lies beyond axisymmetric vortices.
 void doubt_waves(const Scene& scene, const Plan& plan, const radial::RadialReport& laminar,
                  radial::RadialReport& report) {
-    const bool is_doubted = is_free_choice(scene);
     std::size_t count = 0;
     std::size_t turbulent = 0;
     double most = 0.0;
@@ -203,7 +209,7 @@ void doubt_waves(const Scene& scene, const Plan& plan, const radial::RadialRepor
         most = std::max(most, plan.rows[k].taylor_ratio);
         if (is_turbulent(scene, plan.rows[k])) {
             ++turbulent;
-        } else if (is_doubted) {
+        } else if (is_free_choice(scene)) {
             report.history.rows[k].torque_error +=
                 wavy_share *
                 std::abs(report.history.rows[k].torque - laminar.history.rows[k].torque);
@@ -214,18 +220,15 @@ void doubt_waves(const Scene& scene, const Plan& plan, const radial::RadialRepor
             "{} row{} past {:.2g} times the onset (up to {:.3g}): experiments see wavy, later "
             "turbulent vortices there, which are not axisymmetric{}.",
             count, count == 1 ? " lies" : "s lie", wavy_ratio, most,
-            is_doubted ? "; a tenth of what the vortices add is in the error. model = "
-                         "\"axisymmetric\" asks for axisymmetric vortices"
-                       : ""));
+            is_free_choice(scene) ? "; a tenth of what the vortices add is in the error. model = "
+                                    "\"axisymmetric\" asks for axisymmetric vortices"
+                                  : ""));
     }
     if (turbulent > 0) {
         report.notes.push_back(fmt::format(
             "At {} of them, past {:.3g} times the onset, the torque is not solved for: it is what "
             "was measured in turbulent flow of Newtonian fluids (Wendt 1933), within {:.2g} %.",
-            turbulent, turbulent_ratio,
-            100.0 * (std::holds_alternative<laws::flow::Newtonian>(scene.fluid.law)
-                         ? newtonian_doubt
-                         : other_doubt)));
+            turbulent, turbulent_ratio, 100.0 * turbulence_doubt(scene)));
     }
 }
 
@@ -259,7 +262,7 @@ radial::RadialReport solve_with_vortices(const Scene& scene, const Plan& plan,
     }
     const radial::RadialReport laminar = report;
     const VortexGap outside = gap_outside_rotor(scene.instrument);
-    const double wavelength = wavelength_for(scene, outside.gap);
+    const double wavelength = wavelength_for(scene, outside);
     report.notes.push_back(fmt::format("Taylor vortices of the axial wavelength {:.4g} mm ({:.4g} "
                                        "gap widths).",
                                        1e3 * wavelength, wavelength / outside.gap.width()));
@@ -294,21 +297,19 @@ radial::RadialReport solve_with_vortices(const Scene& scene, const Plan& plan,
 }
 
 void doubt_vortices_left_out(const Scene& scene, const Plan& plan, radial::RadialReport& report) {
-    const bool has_gap = std::holds_alternative<geometry::ConcentricCylinders>(scene.instrument) ||
-                         std::holds_alternative<geometry::DoubleGap>(scene.instrument);
-    if (!has_gap || geometry::has_ends(scene.instrument) || !is_free_choice(scene) ||
+    if (!is_endless_gap(scene) || !is_free_choice(scene) ||
         scene.solver.secondary_flow == Switch::off) {
         return;
     }
     const VortexGap outside = gap_outside_rotor(scene.instrument);
-    const double relative_gap = outside.gap.width() / outside.gap.inner_radius;
     bool is_doubted = false;
     for (std::size_t k = 0; k < report.history.rows.size(); ++k) {
         const double ratio = plan.rows[k].taylor_ratio;
         if (ratio > 1.0) {
             rheometry::TorqueRow& row = report.history.rows[k];
-            row.torque_error += (stability::vortex_torque_ratio(relative_gap, ratio) - 1.0) *
-                                laminar_torque(scene, outside, std::abs(row.speed));
+            row.torque_error +=
+                (stability::vortex_torque_ratio(outside.relative_width(), ratio) - 1.0) *
+                laminar_torque(scene, outside, std::abs(row.speed));
             is_doubted = true;
         }
     }

@@ -1,6 +1,7 @@
 #include "solvers/openfoam/case_folder.hpp"
 
 #include "geometry/mesh_format/write_mesh.hpp"
+#include "solvers/openfoam/file_text.hpp"
 
 #include <fmt/format.h>
 
@@ -17,11 +18,6 @@ namespace searle::solvers::openfoam {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 void write_text(const fs::path& file, const std::string& text) {
     errno = 0;

@@ -3,21 +3,13 @@
 
 #include "solvers/openfoam/velocity_file.hpp"
 
+#include "solvers/openfoam/file_text.hpp"
+
 #include <charconv>
-#include <fstream>
-#include <iterator>
 
 namespace searle::solvers::openfoam {
-namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-} // namespace
 
 std::vector<geometry::Point> velocity_at(const fs::path& folder, const std::string& time,
                                          std::size_t cells) {

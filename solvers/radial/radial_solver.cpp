@@ -40,16 +40,6 @@ double yield_torque_of(const Scene& scene) {
     return yield_torque(rotor_gaps(scene.instrument, scene.fluid.density), scene.fluid.law);
 }
 
-void note_rest(int rows, RadialReport& report) {
-    if (rows > 0) {
-        report.notes.push_back(
-            "At rest the yield stress holds the fluid, and its flow law leaves the "
-            "torque open between plus and minus the yield torque: at " +
-            std::to_string(rows) + (rows == 1 ? " row" : " rows") +
-            " without speed the error bar covers that range.");
-    }
-}
-
 /// Rows without inertia, at given times and speeds.
 template <class SpeedAt>
 RadialReport without_inertia(const Scene& scene, const Plan& plan, double factor, std::size_t rows,
@@ -145,6 +135,16 @@ RadialReport rows_of(const Scene& scene, const Plan& plan, const ProgressSink& p
 }
 
 } // namespace
+
+void note_rest(int rows, RadialReport& report) {
+    if (rows > 0) {
+        report.notes.push_back(
+            "At rest the yield stress holds the fluid, and its flow law leaves the "
+            "torque open between plus and minus the yield torque: at " +
+            std::to_string(rows) + (rows == 1 ? " row" : " rows") +
+            " without speed the error bar covers that range.");
+    }
+}
 
 std::vector<std::size_t> rows_with_fields(const OutputSettings& output, std::size_t finished) {
     return output.fields ? rheometry::fields::spread_rows(

@@ -31,6 +31,10 @@ struct RadialReport {
     std::vector<rheometry::fields::SectionFields> fields;
 };
 
+/// Says that so many rows stand at rest with a yield stress, if any: their bars cover all torques
+/// that it can hold.
+void note_rest(int rows, RadialReport& report);
+
 /// The rows whose fields a case asks for, numbers from 1: none unless output.fields.
 /// @param finished  rows there are
 [[nodiscard]] std::vector<std::size_t> rows_with_fields(const OutputSettings& output,

@@ -266,9 +266,9 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
     std::vector<double> layers;
     const std::vector<bool> smooth = follows_smoothly(history);
     const bool jumps = std::find(smooth.begin(), smooth.end(), false) != smooth.end();
-    const double usual_safety =
-        std::holds_alternative<laws::flow::Newtonian>(law) ? safety : safety_of_other_laws;
-    const bool steepened = jumps && !std::holds_alternative<laws::flow::Newtonian>(law);
+    const bool newtonian = std::holds_alternative<laws::flow::Newtonian>(law);
+    const double usual_safety = newtonian ? safety : safety_of_other_laws;
+    const bool steepened = jumps && !newtonian;
     for (const RotorGap& gap : gaps) {
         const double layer = thinnest_layer(gap.shape, law, history);
         layers.push_back(steepened ? layer * std::sqrt(std::min(1.0, accuracy / 1e-2)) : layer);
@@ -279,8 +279,7 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
 
     const std::vector<double> steady = steady_torque(gaps, law, history);
     const double yield = yield_torque(gaps, law);
-    const int steps_per_row =
-        std::holds_alternative<laws::flow::Newtonian>(law) ? 1 : steps_for_events(history);
+    const int steps_per_row = newtonian ? 1 : steps_for_events(history);
     TransientTorque result;
     std::vector<double> coarse;
     std::vector<double> earlier;
