@@ -239,7 +239,8 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
     }
 
     solution.worst_relative_error = worst_relative_error(rows);
-    solution.reached = !solution.interrupted && solution.worst_relative_error <= accuracy;
+    solution.reached = !solution.interrupted && rows.size() == plan.rows.size() &&
+                       solution.worst_relative_error <= accuracy;
     return report;
 }
 

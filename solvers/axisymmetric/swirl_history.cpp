@@ -212,18 +212,19 @@ SwirlHistory swirl_history(const SectionShape& shape, const laws::flow::AnyFlowL
         .rounding = (yields ? first_rounding : smooth_rounding) * wall_rate / reference};
     // No wider than the layer of momentum at the first row.
     double size = std::min(first_size, thinnest_layer(shape, law, density, history) / shape.gap());
-    // What the elements at the rotor's edges miss is alike from level to level; the steady flow,
-    // whose torque is known within bounds, shows it.
-    const double exact =
-        creeping_torque(shape, law, reference, {.accuracy = 0.1 * accuracy}, progress).torque /
-        scale;
-    // What a fluid at rest carries: the torque of the slowest flow.
-    const double yield_torque =
-        yields ? creeping_torque(shape, law, 1e-6 * reference, {.accuracy = 1e-2}, progress).torque
-               : 0.0;
     std::vector<double> change_before;
     double work = 0.0;
     try {
+        // What the elements at the rotor's edges miss is alike from level to level; the steady
+        // flow, whose torque is known within bounds, shows it.
+        const double exact =
+            creeping_torque(shape, law, reference, {.accuracy = 0.1 * accuracy}, progress).torque /
+            scale;
+        // What a fluid at rest carries: the torque of the slowest flow.
+        const double yield_torque =
+            yields
+                ? creeping_torque(shape, law, 1e-6 * reference, {.accuracy = 1e-2}, progress).torque
+                : 0.0;
         for (int number = 0; number < most_levels; ++number) {
             if (number > 1 && level_growth * work > most_work) {
                 break;

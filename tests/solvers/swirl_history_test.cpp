@@ -89,6 +89,23 @@ TEST(SwirlHistory, at_rest_the_bar_covers_what_the_yield_stress_allows) {
     EXPECT_LE(found.torque[1] - found.error[1], -0.9 * at_yield);
 }
 
+/// Ctrl-C at any call of the progress, those of the steady flow that comes first included.
+TEST(SwirlHistory, an_interruption_at_any_time_hands_out_whole_levels_or_nothing) {
+    for (const int calls : {0, 2, 30}) {
+        int left = calls;
+        const SwirlHistory found = swirl_history(bob, slurry, density, up_and_down(), 1e-2, {},
+                                                 [&left](double, std::string_view) {
+                                                     if (left-- == 0) {
+                                                         throw Interrupted();
+                                                     }
+                                                 });
+        EXPECT_TRUE(found.interrupted) << calls;
+        EXPECT_FALSE(found.reached) << calls;
+        EXPECT_TRUE(found.torque.empty() || found.torque.size() == 6U) << calls;
+        EXPECT_EQ(found.error.size(), found.torque.size()) << calls;
+    }
+}
+
 /// Order in time on one mesh: with the tolerance the error of the torque falls as the steps' fourth
 /// power, observed between 3 and 6 with adaptive steps.
 TEST(SwirlStepper, torque_converges_with_the_fourth_order_in_time) {
