@@ -25,7 +25,7 @@ constexpr double easy_reynolds = 60.0;
 constexpr double longest_stride = 2.5;
 /// ... and when Newton's method fails by less and less, down to this.
 constexpr double shortest_stride = 1.02;
-constexpr double path_tolerance = 1e-2; ///< of the velocities on the way
+constexpr double path_tolerance = 3e-2; ///< of the velocities on the way
 /// Rounding of the yield surface on the first level, halved on each further one.
 constexpr double first_yield_rounding = 2e-2;
 constexpr double smooth_rounding = 1e-5;    ///< of laws without a yield stress, at rest

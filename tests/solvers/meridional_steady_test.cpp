@@ -47,7 +47,7 @@ TEST(SteadySecondaryFlow, claimed_errors_hold_a_finer_result) {
 }
 
 /// Speeds at which the first levels lie close by accident (5 1/s) or cross (near 37 1/s): what is
-/// claimed at each stop on the way holds the finest level.s factor.
+/// claimed at each stop on the way holds the finest level's factor.
 TEST(SteadySecondaryFlow, claimed_errors_hold_where_levels_cross) {
     for (const double speed : {0.407, 3.01}) {
         SteadySecondaryFlow fine(iso_bob, flow::Newtonian{viscosity}, density, 1e-6);
