@@ -125,13 +125,15 @@ double VortexForecast::slowest_doubtful(double slowest, double fastest) const {
     if (energy_ratio(slowest) > 1.0) {
         return slowest;
     }
-    double stable = std::log(slowest);
-    double doubtful = std::log(fastest);
-    while (doubtful - stable > 0.1) {
-        const double middle = 0.5 * (stable + doubtful);
-        (energy_ratio(std::exp(middle)) > 1.0 ? doubtful : stable) = middle;
+    // Strides counted from the fastest speed, so that slower rows do not move the answer.
+    constexpr double stride = 0.1;
+    int doubtful = 0;
+    int stable = static_cast<int>(std::ceil(std::log(fastest / slowest) / stride));
+    while (stable - doubtful > 1) {
+        const int middle = (stable + doubtful) / 2;
+        (energy_ratio(fastest * std::exp(-stride * middle)) > 1.0 ? doubtful : stable) = middle;
     }
-    return std::exp(doubtful);
+    return fastest * std::exp(-stride * doubtful);
 }
 
 std::string VortexForecast::judge_by_linear_theory(std::vector<RowForecast>& rows,

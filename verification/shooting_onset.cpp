@@ -219,18 +219,17 @@ ShotOnset shooting_onset(const solvers::radial::AnnularGap& gap, const laws::flo
                          double speed, double density, double wave_number) {
     const BaseFlow flow(gap, law, speed);
     const double scale = flow.wall_viscosity() / (speed * gap.inner_radius * gap.inner_radius);
-    const double wave = wave_number * gap.inner_radius;
-    // Parabola through three wave numbers.
-    constexpr double spread = 0.05;
-    std::array<double, 3> found{};
-    for (int i = 0; i < 3; ++i) {
-        found[static_cast<std::size_t>(i)] =
-            marginal_density(flow, density / scale, wave * (1.0 + spread * (i - 1)));
+    // Parabolas through three wave numbers, wide and narrow.
+    double best = wave_number * gap.inner_radius;
+    for (const double spread : {0.05, 0.005}) {
+        std::array<double, 3> found{};
+        for (int i = 0; i < 3; ++i) {
+            found[static_cast<std::size_t>(i)] =
+                marginal_density(flow, density / scale, best * (1.0 + spread * (i - 1)));
+        }
+        const double bend = found[0] - 2.0 * found[1] + found[2];
+        best *= 1.0 - spread * 0.5 * (found[2] - found[0]) / bend;
     }
-    const double bend = found[0] - 2.0 * found[1] + found[2];
-    const double lean = 0.5 * (found[2] - found[0]);
-    const double position = -lean / bend;
-    const double best = wave * (1.0 + spread * position);
     return {.density = scale * marginal_density(flow, density / scale, best),
             .wave_number = best / gap.inner_radius};
 }
