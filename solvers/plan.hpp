@@ -29,7 +29,7 @@ struct TaylorOnset {
     double wave_number{};
     /// Largest Re / Re_critical of the rows; where the gap is partly sheared, of the sheared layer.
     double largest_ratio{};
-    double relative_error{}; ///< numerical, of the critical values
+    double relative_error{}; ///< numerical, of the onset (critical_speed where there is one)
     /// Speed of the bob or rotor at the onset, rad/s, also beyond the rows' speeds; absent where
     /// none was found or looked for.
     std::optional<double> critical_speed;

@@ -156,21 +156,22 @@ std::string VortexForecast::judge_by_linear_theory(std::vector<RowForecast>& row
             fastest_of_worst = row.speed;
         }
     }
-    onset.relative_error = curve.relative_error();
-    const auto critical = stability::critical_speed(gap_.annulus, fluid_.law, fluid_.density,
-                                                    fastest_of_worst, onset_tolerance);
     std::string text =
         "Linear stability of this fluid's own steady flow to axisymmetric vortices, their stress "
         "with the tangent viscosity in the direction of shear and the apparent one in all others; "
-        "Re with the apparent viscosity at the bob's wall";
+        "Re with the apparent viscosity at the bob's wall; ";
+    const auto critical = stability::critical_speed(gap_.annulus, fluid_.law, fluid_.density,
+                                                    fastest_of_worst, onset_tolerance);
     if (critical) {
         onset.wave_number = critical->onset.wave_number;
         onset.critical_speed = critical->speed;
-        onset.relative_error = std::max(onset.relative_error, critical->onset.relative_error);
+        onset.relative_error = critical->relative_error;
+        text += fmt::format("relative error {:.0e} of the onset", critical->relative_error);
     } else {
-        text += "; no speed within a factor of a thousand is the onset";
+        onset.relative_error = curve.relative_error();
+        text += "no speed within a factor of a thousand is the onset";
     }
-    return text + fmt::format("; relative error {:.1g}", std::max(onset.relative_error, 1e-9));
+    return text + fmt::format(", {:.0e} of the ratios", std::max(curve.relative_error(), 1e-9));
 }
 
 TaylorOnset VortexForecast::judge(const geometry::Instrument& instrument,

@@ -14,6 +14,8 @@ namespace {
 /// Stands for "no density": far beyond any fluid, and its logarithm is still a number.
 constexpr double out_of_reach = 1e30;
 constexpr int most_intervals = 16;
+/// Of the logarithm of a critical speed.
+constexpr double search_tolerance = 1e-6;
 
 double interpolated(const auto& points, double speed) {
     return interpolated_in_log(
@@ -106,12 +108,19 @@ std::optional<CriticalSpeed> critical_speed(const radial::AnnularGap& gap,
         const bool rises = there > here;
         const auto [low, high] = boost::math::tools::toms748_solve(
             excess, rises ? here : there, rises ? there : here, rises ? at_here : at_there,
-            rises ? at_there : at_here, [](double a, double b) { return std::abs(b - a) < 1e-6; },
-            evaluations);
+            rises ? at_there : at_here,
+            [](double a, double b) { return std::abs(b - a) < search_tolerance; }, evaluations);
         root = 0.5 * (low + high);
     }
     const double speed = guess * std::exp(root);
-    return CriticalSpeed{.speed = speed, .onset = layer_onset(gap, law, speed, tolerance)};
+    const LayerOnset onset = layer_onset(gap, law, speed, tolerance);
+    // An error of the critical density moves the speed by its share of how density over critical
+    // density gains on the speed: as speed^(2 - n) for a power law.
+    constexpr double aside = 0.05;
+    const double gain = std::abs(excess(root + aside) - excess(root)) / aside;
+    return CriticalSpeed{.speed = speed,
+                         .relative_error = onset.relative_error / gain + search_tolerance,
+                         .onset = onset};
 }
 
 } // namespace searle::solvers::stability

@@ -42,7 +42,8 @@ private:
 
 /// The speed at which a fluid reaches its onset, and the onset there.
 struct CriticalSpeed {
-    double speed{}; ///< rad/s
+    double speed{};          ///< rad/s
+    double relative_error{}; ///< of the speed: of the eigenvalue and of the search
     LayerOnset onset;
 };
 

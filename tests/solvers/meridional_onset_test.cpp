@@ -1,11 +1,15 @@
 #include "solvers/meridional/flow_material.hpp"
 #include "solvers/meridional/flow_stability.hpp"
+#include "solvers/meridional/steady_vortices.hpp"
+#include "solvers/meridional/vortex_run.hpp"
 #include "solvers/stability/layer_onset.hpp"
+#include "solvers/stability/onset_curve.hpp"
 #include "tests/solvers/vortex_growth.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace searle::solvers::meridional {
@@ -95,6 +99,48 @@ TEST(OnsetOfFluids, nothing_that_oscillates_grows_before_the_steady_vortices) {
             EXPECT_EQ(leading.rate.imag(), 0.0) << name << ' ' << share;
         }
     }
+}
+
+/// Weakly nonlinear theory: where the fork is supercritical, torque - 1 ~ density - critical
+/// density. The flow solved for shares nothing with the linear theory that the speed comes from.
+TEST(OnsetOfFluids, torque_of_vortices_grows_linearly_from_the_linear_onset) {
+    for (const AnyFlowLaw& law :
+         std::vector<AnyFlowLaw>{PowerLaw{0.02, 0.6}, PowerLaw{1e-4, 1.4},
+                                 CarreauYasuda{0.01, 0.001, 0.05, 0.5, 2.0}}) {
+        const radial::AnnularGap gap{0.014, 0.016};
+        const double density = 1000.0;
+        const auto onset = stability::critical_speed(gap, law, density, 10.0, 1e-8);
+        ASSERT_TRUE(onset);
+        SteadyVortices vortices(
+            gap, 2.0 * std::numbers::pi * gap.width() / onset->onset.wave_number, law, density);
+        EXPECT_EQ(vortices.at(0.998 * onset->speed, 1e-5).factor, 1.0) << name_of(law);
+        const double one = vortices.at(1.005 * onset->speed, 1e-5).factor - 1.0;
+        const double two = vortices.at(1.010 * onset->speed, 1e-5).factor - 1.0;
+        EXPECT_GT(one, 1e-3) << name_of(law);
+        EXPECT_NEAR(two / one, 2.0, 0.05) << name_of(law);
+    }
+}
+
+/// A hold past the onset from a small unevenness ends with the torque of the steady vortices.
+TEST(OnsetOfFluids, vortices_of_a_power_law_fluid_grow_into_the_steady_ones) {
+    const radial::AnnularGap gap{0.014, 0.016};
+    const PowerLaw law{0.02, 0.6};
+    const double density = 1000.0;
+    const auto onset = stability::critical_speed(gap, law, density, 10.0, 1e-8);
+    ASSERT_TRUE(onset);
+    const double wavelength = 2.0 * std::numbers::pi * gap.width() / onset->onset.wave_number;
+    const double fast = 1.5 * onset->speed;
+    rheometry::SpeedHistory hold;
+    hold.pieces = {{0.0, 1.0, 0.0, fast}, {1.0, 60.0, fast, fast}};
+    hold.row_times = {60.0};
+    const VortexRun run =
+        vortex_run(gap, wavelength, law, density, 1e-3, hold, std::vector<double>{1e-3});
+    ASSERT_TRUE(run.reached);
+    SteadyVortices vortices(gap, wavelength, law, density);
+    const double laminar = radial::steady_gap_flow(gap, law, fast).torque_per_length;
+    const double steady = vortices.at(fast, 1e-4).factor;
+    EXPECT_GT(steady, 1.2);
+    EXPECT_NEAR(run.torque[0] / laminar, steady, 2e-3);
 }
 
 } // namespace
