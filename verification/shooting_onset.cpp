@@ -1,7 +1,9 @@
 #include "verification/shooting_onset.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <stdexcept>
 #include <vector>
 
@@ -112,63 +114,123 @@ private:
     std::vector<Point> points_;
 };
 
-using State = std::array<double, 6>; // u, w, S, Q, v, T
+template <class Number>
+using State = std::array<Number, 6>; // u, w, S, Q, v, T
 
-/// d/dr at the marginal state, for velocities u(r) cos kz, -w sin kz, v cos kz, lengths over the
-/// bob's radius, density over eta / (omega R^2).
-State slope(const Point& at, double density, double wave, const State& y) {
-    const auto [u, w, shear, pressure, v, torsion] = y;
+/// A disturbance over the bob's radius and speed: u(r), i w(r), v(r) times exp(i (k z + m theta) +
+/// s t).
+template <class Number>
+struct Wave {
+    double density{}; ///< over eta / (omega R^2)
+    double axial{};   ///< k
+    Number order{};   ///< i m; 0 in real numbers for m = 0
+    Number growth{};  ///< s
+};
+
+/// d/dr of the linearised equations.
+template <class Number>
+State<Number> slope(const Point& at, const Wave<Number>& wave, const State<Number>& y) {
+    const auto& [u, w, shear, pressure, v, torsion] = y;
     const double r = at.radius;
-    const double u_slope = wave * w - u / r;                    // continuity
-    const double normal = pressure + 2.0 * at.secant * u_slope; // the pressure
-    const double spin = 2.0 * at.rotation - at.rate;            // (r^2 Omega)' / r
+    const double k = wave.axial;
+    const Number turn = wave.order / r;                          // i m / r
+    const Number drift = wave.growth + wave.order * at.rotation; // D / Dt
+    const Number u_slope = k * w - u / r - turn * v;             // continuity
+    const Number radial = 2.0 * at.secant * u_slope;             // normal stresses
+    const Number around = 2.0 * at.secant * (turn * v + u / r);
+    const Number across = at.secant * (k * v + turn * w); // (theta, z) stress over i
+    const Number level = pressure + radial;               // the pressure
+    const double spin = 2.0 * at.rotation - at.rate;      // (r^2 Omega)' / r
     return {u_slope,
-            shear / at.secant - wave * u,
-            wave * normal + 2.0 * at.secant * wave * wave * w - shear / r,
-            2.0 * at.secant * (u_slope / r - u / (r * r)) - wave * shear +
-                2.0 * density * at.rotation * v,
-            torsion / at.tangent + v / r,
-            density * spin * u + at.secant * wave * wave * v - 2.0 * torsion / r};
+            shear / at.secant - k * u,
+            k * level + 2.0 * at.secant * k * k * w - shear / r - turn * across +
+                wave.density * drift * w,
+            (radial - around) / r + turn * torsion - k * shear -
+                wave.density * (drift * u - 2.0 * at.rotation * v),
+            torsion / at.tangent + v / r - turn * u,
+            wave.density * (drift * v + spin * u) + turn * (level - around) + k * across -
+                2.0 * torsion / r};
 }
 
-State plus(const State& y, double factor, const State& d) {
-    State sum = y;
+template <class Number>
+State<Number> plus(const State<Number>& y, double factor, const State<Number>& d) {
+    State<Number> sum = y;
     for (std::size_t i = 0; i < sum.size(); ++i) {
         sum[i] += factor * d[i];
     }
     return sum;
 }
 
-State shoot(const BaseFlow& flow, double density, double wave, State y) {
+template <class Number>
+State<Number> shoot(const BaseFlow& flow, const Wave<Number>& wave, State<Number> y) {
     const double h = flow.step();
     for (int k = 0; k < steps; ++k) {
         const Point& start = flow.point(2 * k);
         const Point& middle = flow.point(2 * k + 1);
         const Point& end = flow.point(2 * k + 2);
-        const auto at = [&](const Point& point, const State& state) {
-            State d = slope(point, density, wave, state);
-            for (double& value : d) {
+        const auto at = [&](const Point& point, const State<Number>& state) {
+            State<Number> d = slope(point, wave, state);
+            for (Number& value : d) {
                 value *= point.stretch * point.radius; // d r / d zeta
             }
             return d;
         };
-        const State a = at(start, y);
-        const State b = at(middle, plus(y, 0.5 * h, a));
-        const State c = at(middle, plus(y, 0.5 * h, b));
-        const State d = at(end, plus(y, h, c));
+        const State<Number> a = at(start, y);
+        const State<Number> b = at(middle, plus(y, 0.5 * h, a));
+        const State<Number> c = at(middle, plus(y, 0.5 * h, b));
+        const State<Number> d = at(end, plus(y, h, c));
         y = plus(plus(plus(plus(y, h / 6.0, a), h / 3.0, b), h / 3.0, c), h / 6.0, d);
     }
     return y;
 }
 
-double determinant(const BaseFlow& flow, double density, double wave) {
-    const State first = shoot(flow, density, wave, {0.0, 0.0, 1.0, 0.0, 0.0, 0.0});
-    const State second = shoot(flow, density, wave, {0.0, 0.0, 0.0, 1.0, 0.0, 0.0});
-    const State third = shoot(flow, density, wave, {0.0, 0.0, 0.0, 0.0, 0.0, 1.0});
+/// Of the velocities that three solutions from the bob have at the outer end.
+template <class Number>
+Number determinant(const BaseFlow& flow, const Wave<Number>& wave) {
+    const State<Number> first = shoot<Number>(flow, wave, {0.0, 0.0, 1.0, 0.0, 0.0, 0.0});
+    const State<Number> second = shoot<Number>(flow, wave, {0.0, 0.0, 0.0, 1.0, 0.0, 0.0});
+    const State<Number> third = shoot<Number>(flow, wave, {0.0, 0.0, 0.0, 0.0, 0.0, 1.0});
     const auto minor = [&](std::size_t i, std::size_t j) {
         return second[i] * third[j] - second[j] * third[i];
     };
     return first[0] * minor(1, 4) - first[1] * minor(0, 4) + first[4] * minor(0, 1);
+}
+
+double determinant(const BaseFlow& flow, double density, double axial) {
+    return determinant(flow, Wave<double>{.density = density, .axial = axial});
+}
+
+/// Where a wave that runs around the bob is marginal.
+struct Running {
+    double density{};
+    double speed{}; ///< angular phase speed over the bob's
+};
+
+/// Newton's method in the density and the phase speed, for m > 0 (any real number).
+Running marginal_running_wave(const BaseFlow& flow, double axial, double m, Running guess) {
+    using Complex = std::complex<double>;
+    const auto value_at = [&](double density, double speed) {
+        return determinant(flow, Wave<Complex>{.density = density,
+                                               .axial = axial,
+                                               .order = {0.0, m},
+                                               .growth = {0.0, -m * speed}});
+    };
+    constexpr double aside = 1e-5;
+    for (int k = 0; k < 30; ++k) {
+        const Complex here = value_at(guess.density, guess.speed);
+        const Complex by_density =
+            (value_at(guess.density * (1.0 + aside), guess.speed) - here) / aside;
+        const Complex by_speed = (value_at(guess.density, guess.speed + aside) - here) / aside;
+        const double area = (std::conj(by_density) * by_speed).imag();
+        const double density_step = (std::conj(by_speed) * here).imag() / area;
+        const double speed_step = -(std::conj(by_density) * here).imag() / area;
+        guess.density *= 1.0 + std::clamp(density_step, -0.2, 0.2);
+        guess.speed += std::clamp(speed_step, -0.1, 0.1);
+        if (std::abs(density_step) + std::abs(speed_step) < 1e-8) {
+            return guess;
+        }
+    }
+    throw std::runtime_error("no marginal wave near the guess");
 }
 
 /// The smallest density between half and twice a guess at which the determinant changes sign.
@@ -213,13 +275,27 @@ double marginal_density(const BaseFlow& flow, double guess, double wave) {
     return next;
 }
 
+/// Lowest of a parabola through three values, one apart, and where.
+struct Lowest {
+    double position; ///< from the middle one
+    double value;
+};
+Lowest lowest(const std::array<double, 3>& values) {
+    const double bend = values[0] - 2.0 * values[1] + values[2];
+    const double lean = 0.5 * (values[2] - values[0]);
+    return {-lean / bend, values[1] - 0.5 * lean * lean / bend};
+}
+
+double density_scale(const BaseFlow& flow, const solvers::radial::AnnularGap& gap, double speed) {
+    return flow.wall_viscosity() / (speed * gap.inner_radius * gap.inner_radius);
+}
+
 } // namespace
 
 ShotOnset shooting_onset(const solvers::radial::AnnularGap& gap, const laws::flow::AnyFlowLaw& law,
                          double speed, double density, double wave_number) {
     const BaseFlow flow(gap, law, speed);
-    const double scale = flow.wall_viscosity() / (speed * gap.inner_radius * gap.inner_radius);
-    // Parabolas through three wave numbers, wide and narrow.
+    const double scale = density_scale(flow, gap, speed);
     double best = wave_number * gap.inner_radius;
     for (const double spread : {0.05, 0.005}) {
         std::array<double, 3> found{};
@@ -227,11 +303,37 @@ ShotOnset shooting_onset(const solvers::radial::AnnularGap& gap, const laws::flo
             found[static_cast<std::size_t>(i)] =
                 marginal_density(flow, density / scale, best * (1.0 + spread * (i - 1)));
         }
-        const double bend = found[0] - 2.0 * found[1] + found[2];
-        best *= 1.0 - spread * 0.5 * (found[2] - found[0]) / bend;
+        best *= 1.0 + spread * lowest(found).position;
     }
     return {.density = scale * marginal_density(flow, density / scale, best),
             .wave_number = best / gap.inner_radius};
+}
+
+double running_wave_density(const solvers::radial::AnnularGap& gap,
+                            const laws::flow::AnyFlowLaw& law, double speed, int order,
+                            const ShotOnset& axisymmetric) {
+    const BaseFlow flow(gap, law, speed);
+    const double scale = density_scale(flow, gap, speed);
+    double axial = axisymmetric.wave_number * gap.inner_radius;
+    Running wave{.density = axisymmetric.density / scale, .speed = 0.4};
+    // From nearly axisymmetric ones, whose density is known.
+    constexpr int stages = 8;
+    for (int k = 1; k <= stages * order; ++k) {
+        wave = marginal_running_wave(flow, axial, static_cast<double>(k) / stages, wave);
+    }
+    double least = wave.density;
+    for (const double spread : {0.05, 0.05}) {
+        std::array<double, 3> found{};
+        for (int i = 0; i < 3; ++i) {
+            found[static_cast<std::size_t>(i)] =
+                marginal_running_wave(flow, axial * (1.0 + spread * (i - 1)), order, wave).density;
+        }
+        const Lowest low = lowest(found);
+        axial *= 1.0 + spread * std::clamp(low.position, -3.0, 3.0);
+        least = low.value;
+        wave = marginal_running_wave(flow, axial, order, wave);
+    }
+    return scale * std::min(least, wave.density);
 }
 
 } // namespace searle::verification

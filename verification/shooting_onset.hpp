@@ -26,4 +26,14 @@ struct ShotOnset {
                                        const laws::flow::AnyFlowLaw& law, double speed,
                                        double density, double wave_number);
 
+/// Density at which a disturbance that runs around the bob, exp(i m theta), becomes marginal: least
+/// over the axial wave number. The same equations in complex numbers, Newton's method in density
+/// and phase speed, followed from m = 1/8 in steps of 1/8.
+/// @param order         m >= 1
+/// @param axisymmetric  shooting_onset of the same flow
+/// @throws std::runtime_error when Newton's method finds nothing
+[[nodiscard]] double running_wave_density(const solvers::radial::AnnularGap& gap,
+                                          const laws::flow::AnyFlowLaw& law, double speed,
+                                          int order, const ShotOnset& axisymmetric);
+
 } // namespace searle::verification
