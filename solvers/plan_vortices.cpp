@@ -7,12 +7,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace searle::solvers {
 namespace {
 
 /// Asked of the linear problem: far below what sets in at the onset of an instrument.
 constexpr double onset_tolerance = 1e-4;
+/// Past this multiple of the onset, by the estimate (which is early by up to 12 times), the
+/// critical Reynolds number is no longer followed.
+constexpr double far_past = 300.0;
 
 /// True when the viscosity rises with the rate at some of the rates between two bounds.
 bool thickens(const laws::flow::AnyFlowLaw& law) {
@@ -140,11 +144,18 @@ std::string VortexForecast::judge_by_linear_theory(std::vector<RowForecast>& row
                                                    std::vector<RowFacts>& facts,
                                                    TaylorOnset& onset) const {
     const auto by_speed = [](const Seen& a, const Seen& b) { return a.speed < b.speed; };
-    const double fastest = std::ranges::max_element(seen_, by_speed)->speed;
+    double fastest = std::ranges::max_element(seen_, by_speed)->speed;
     const double slowest =
         slowest_doubtful(std::ranges::min_element(seen_, by_speed)->speed, fastest);
+    for (const Seen& row : seen_) {
+        if (row.estimate > far_past && row.speed > slowest) {
+            fastest = std::min(fastest, row.speed);
+        }
+    }
     const stability::OnsetCurve curve(gap_.annulus, fluid_.law, slowest, fastest, onset_tolerance);
-    double fastest_of_worst = fastest;
+    double speed_of_largest = fastest;
+    double nearest_speed = fastest;
+    double nearest = std::numeric_limits<double>::infinity();
     for (const Seen& row : seen_) {
         facts[row.index].reynolds = row.wall_reynolds;
         const double ratio = row.wall_reynolds / curve.critical_reynolds(row.speed);
@@ -153,7 +164,11 @@ std::string VortexForecast::judge_by_linear_theory(std::vector<RowForecast>& row
             onset.largest_ratio = ratio;
             onset.reynolds = row.wall_reynolds;
             onset.critical_reynolds = row.wall_reynolds / ratio;
-            fastest_of_worst = row.speed;
+            speed_of_largest = row.speed;
+        }
+        if (const double distance = std::abs(std::log(ratio)); distance < nearest) {
+            nearest = distance;
+            nearest_speed = row.speed;
         }
     }
     std::string text =
@@ -161,14 +176,17 @@ std::string VortexForecast::judge_by_linear_theory(std::vector<RowForecast>& row
         "with the tangent viscosity in the direction of shear and the apparent one in all others; "
         "Re with the apparent viscosity at the bob's wall; ";
     const auto critical = stability::critical_speed(gap_.annulus, fluid_.law, fluid_.density,
-                                                    fastest_of_worst, onset_tolerance);
+                                                    nearest_speed, onset_tolerance);
     if (critical) {
         onset.wave_number = critical->onset.wave_number;
         onset.critical_speed = critical->speed;
         onset.relative_error = critical->relative_error;
         text += fmt::format("relative error {:.0e} of the onset", critical->relative_error);
     } else {
-        onset.relative_error = curve.relative_error();
+        const stability::LayerOnset there =
+            stability::layer_onset(gap_.annulus, fluid_.law, speed_of_largest, onset_tolerance);
+        onset.wave_number = there.wave_number;
+        onset.relative_error = there.relative_error;
         text += "no speed within a factor of a thousand is the onset";
     }
     return text + fmt::format(", {:.0e} of the ratios", std::max(curve.relative_error(), 1e-9));

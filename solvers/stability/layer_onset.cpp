@@ -131,61 +131,69 @@ Minimum minimum_downhill(const Function& function, double start) {
     return {position, value};
 }
 
-int nodes_for(int modes) { return 2 * modes + 48; }
-
-LayerOnset solve(const radial::AnnularGap& gap, const laws::flow::AnyFlowLaw& law, double speed,
-                 int modes, double start) {
-    const ShearedLayer layer = sheared_layer(gap, law, speed, nodes_for(modes));
-    LayerProblem problem(layer, modes);
-    const auto smallest_lambda = [&](double log_wave_number) {
-        return 1.0 / problem.largest_inverse(std::exp(log_wave_number));
-    };
-    const double relative_gap = gap.width() / gap.inner_radius;
-    const double scale = relative_gap / layer.depth; // k d over b
-    const auto [position, lambda] = minimum_downhill(smallest_lambda, std::log(start / scale));
-    const double squared_depth = layer.depth * layer.depth;
-    const double rotation = std::sqrt(0.5 * lambda) / squared_depth; // rho omega R^2 / eta
-    return {.critical_density =
-                rotation * layer.wall_viscosity / (speed * gap.inner_radius * gap.inner_radius),
-            .reynolds = rotation * relative_gap,
-            .wave_number = std::exp(position) * scale,
-            .relative_error = 0.0,
-            .modes = modes};
-}
-
-/// k d at the onset of a Newtonian fluid that fills the sheared layer: where the search begins.
-double usual_wave_number(const radial::AnnularGap& gap, const laws::flow::AnyFlowLaw& law,
-                         double speed) {
-    const double yield_radius = radial::steady_gap_flow(gap, law, speed).yield_radius;
-    return 3.13 * gap.width() / (yield_radius - gap.inner_radius);
-}
-
-void require(const radial::AnnularGap& gap, double speed) {
-    if (!(gap.width() > 0.0) || !(gap.inner_radius > 0.0) || !(speed > 0.0) ||
-        !std::isfinite(speed)) {
-        throw std::invalid_argument("the onset of vortices needs a gap and a speed > 0");
+/// The linear problems of one flow.
+class FlowOnset {
+public:
+    FlowOnset(const radial::AnnularGap& gap, const laws::flow::AnyFlowLaw& law, double speed)
+        : gap_(gap), law_(law), speed_(speed) {
+        if (!(gap.width() > 0.0) || !(gap.inner_radius > 0.0) || !(speed > 0.0) ||
+            !std::isfinite(speed)) {
+            throw std::invalid_argument("the onset of vortices needs a gap and a speed > 0");
+        }
+        flow_ = radial::steady_gap_flow(gap, law, speed);
     }
-}
+
+    /// k d at the onset of a Newtonian fluid that fills the sheared layer: where the search begins.
+    [[nodiscard]] double usual_wave_number() const {
+        return 3.13 * gap_.width() / (flow_.yield_radius - gap_.inner_radius);
+    }
+
+    [[nodiscard]] LayerOnset solve(int modes, double start) const {
+        const ShearedLayer layer = sheared_layer(gap_, law_, flow_, speed_, nodes_for(modes));
+        LayerProblem problem(layer, modes);
+        const auto smallest_lambda = [&](double log_wave_number) {
+            return 1.0 / problem.largest_inverse(std::exp(log_wave_number));
+        };
+        const double relative_gap = gap_.width() / gap_.inner_radius;
+        const double scale = relative_gap / layer.depth; // k d over b
+        const auto [position, lambda] = minimum_downhill(smallest_lambda, std::log(start / scale));
+        const double squared_depth = layer.depth * layer.depth;
+        const double rotation = std::sqrt(0.5 * lambda) / squared_depth; // rho omega R^2 / eta
+        return {.critical_density = rotation * layer.wall_viscosity /
+                                    (speed_ * gap_.inner_radius * gap_.inner_radius),
+                .reynolds = rotation * relative_gap,
+                .wave_number = std::exp(position) * scale,
+                .relative_error = 0.0,
+                .modes = modes};
+    }
+
+private:
+    static int nodes_for(int modes) { return 2 * modes + 48; }
+
+    const radial::AnnularGap& gap_;
+    const laws::flow::AnyFlowLaw& law_;
+    double speed_;
+    radial::SteadyGapFlow flow_;
+};
 
 } // namespace
 
 LayerOnset layer_onset_with_modes(const radial::AnnularGap& gap, const laws::flow::AnyFlowLaw& law,
                                   double speed, int modes) {
-    require(gap, speed);
     if (modes < 4) {
         throw std::invalid_argument("the onset of vortices needs at least 4 modes");
     }
-    return solve(gap, law, speed, modes, usual_wave_number(gap, law, speed));
+    const FlowOnset problem(gap, law, speed);
+    return problem.solve(modes, problem.usual_wave_number());
 }
 
 LayerOnset layer_onset(const radial::AnnularGap& gap, const laws::flow::AnyFlowLaw& law,
                        double speed, double tolerance) {
-    require(gap, speed);
     constexpr std::array resolutions{10, 14, 20, 28, 40, 56, 80};
-    LayerOnset coarse =
-        solve(gap, law, speed, resolutions.front(), usual_wave_number(gap, law, speed));
+    const FlowOnset problem(gap, law, speed);
+    LayerOnset coarse = problem.solve(resolutions.front(), problem.usual_wave_number());
     for (std::size_t i = 1; i < resolutions.size(); ++i) {
-        LayerOnset fine = solve(gap, law, speed, resolutions[i], coarse.wave_number);
+        LayerOnset fine = problem.solve(resolutions[i], coarse.wave_number);
         fine.relative_error = std::abs(fine.reynolds / coarse.reynolds - 1.0);
         coarse = fine;
         if (!(fine.relative_error > tolerance)) {
@@ -198,7 +206,8 @@ LayerOnset layer_onset(const radial::AnnularGap& gap, const laws::flow::AnyFlowL
 double energy_ratio(const radial::AnnularGap& gap, const laws::flow::AnyFlowLaw& law, double speed,
                     double density) {
     constexpr int nodes = 24;
-    const ShearedLayer layer = sheared_layer(gap, law, speed, nodes);
+    const ShearedLayer layer =
+        sheared_layer(gap, law, radial::steady_gap_flow(gap, law, speed), speed, nodes);
     const double viscosity =
         layer.wall_viscosity * std::min({layer.secant.minCoeff(), layer.tangent.minCoeff(), 1.0});
     const double rate = std::max(layer.wall_rate, speed * layer.rate.maxCoeff());

@@ -31,8 +31,8 @@ struct Profile {
 };
 
 template <class Law>
-ShearedLayer tabulate(const radial::AnnularGap& gap, const Law& law, double speed, int nodes) {
-    const radial::SteadyGapFlow flow = radial::steady_gap_flow(gap, law, speed);
+ShearedLayer tabulate(const radial::AnnularGap& gap, const Law& law,
+                      const radial::SteadyGapFlow& flow, double speed, int nodes) {
     const double yield = law.yield_stress_value();
     ShearedLayer layer;
     layer.wall_rate = flow.inner_wall_rate;
@@ -77,8 +77,9 @@ ShearedLayer tabulate(const radial::AnnularGap& gap, const Law& law, double spee
 } // namespace
 
 ShearedLayer sheared_layer(const radial::AnnularGap& gap, const laws::flow::AnyFlowLaw& law,
-                           double speed, int nodes) {
-    return std::visit([&](const auto& chosen) { return tabulate(gap, chosen, speed, nodes); }, law);
+                           const radial::SteadyGapFlow& flow, double speed, int nodes) {
+    return std::visit([&](const auto& chosen) { return tabulate(gap, chosen, flow, speed, nodes); },
+                      law);
 }
 
 } // namespace searle::solvers::stability

@@ -21,10 +21,12 @@ struct ShearedLayer {
     Eigen::ArrayXd tangent;  ///< d stress / d rate over the secant one at the bob
 };
 
+/// @param flow   radial::steady_gap_flow of the gap, the law and the speed
 /// @param speed  rad/s, > 0
 /// @param nodes  of the grid, >= 2
 [[nodiscard]] ShearedLayer sheared_layer(const radial::AnnularGap& gap,
-                                         const laws::flow::AnyFlowLaw& law, double speed,
+                                         const laws::flow::AnyFlowLaw& law,
+                                         const radial::SteadyGapFlow& flow, double speed,
                                          int nodes);
 
 } // namespace searle::solvers::stability
