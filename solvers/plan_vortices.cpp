@@ -14,9 +14,10 @@ namespace {
 
 /// Asked of the linear problem: far below what sets in at the onset of an instrument.
 constexpr double onset_tolerance = 1e-4;
-/// Past this multiple of the onset, by the estimate (which is early by up to 12 times), the
-/// critical Reynolds number is no longer followed.
-constexpr double far_past = 300.0;
+/// Past so many times the onset, where flow is turbulent, the critical Reynolds number is no longer
+/// followed; where to look by the estimate, which errs on the early side.
+constexpr double far_past = 20.0;
+constexpr double far_past_by_estimate = 100.0;
 
 /// True when the viscosity rises with the rate at some of the rates between two bounds.
 bool thickens(const laws::flow::AnyFlowLaw& law) {
@@ -147,10 +148,18 @@ std::string VortexForecast::judge_by_linear_theory(std::vector<RowForecast>& row
     double fastest = std::ranges::max_element(seen_, by_speed)->speed;
     const double slowest =
         slowest_doubtful(std::ranges::min_element(seen_, by_speed)->speed, fastest);
+    const Seen* far = nullptr;
     for (const Seen& row : seen_) {
-        if (row.estimate > far_past && row.speed > slowest) {
-            fastest = std::min(fastest, row.speed);
+        if (row.estimate > far_past_by_estimate && row.speed > slowest &&
+            (far == nullptr || row.speed < far->speed)) {
+            far = &row;
         }
+    }
+    if (far != nullptr &&
+        far->wall_reynolds >
+            far_past * stability::layer_onset(gap_.annulus, fluid_.law, far->speed, onset_tolerance)
+                           .reynolds) {
+        fastest = far->speed;
     }
     const stability::OnsetCurve curve(gap_.annulus, fluid_.law, slowest, fastest, onset_tolerance);
     double speed_of_largest = fastest;
