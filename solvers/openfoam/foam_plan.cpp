@@ -292,7 +292,7 @@ geometry::MeshSettings mesh_settings(const Scene& scene, const FoamPlan& plan, i
 
 namespace {
 
-void describe_offset(const Scene& scene, const geometry::ConcentricCylinders& gap, Plan& plan) {
+void describe_offset(const geometry::ConcentricCylinders& gap, Plan& plan) {
     const double ratio =
         laws::gap::EccentricCylinders{gap.bob_radius, gap.cup_radius, gap.offset}.torque_ratio();
     plan.items.push_back(
@@ -332,7 +332,7 @@ void describe(const Scene& scene, const FoamPlan& foam, Plan& plan) {
          "the difference of the last two, which is claimed as error, meets the "
          "asked accuracy."});
     if (const auto* gap = eccentric_gap(scene))
-        describe_offset(scene, *gap, plan);
+        describe_offset(*gap, plan);
     if (foam.viscosity_cap > 0.0)
         plan.items.push_back(
             {"yield surface", false,
