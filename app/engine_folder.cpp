@@ -30,7 +30,10 @@ fs::path engine_folder_for(const Case& source, const fs::path& result_folder, bo
     fs::path folder = result_folder;
     if (!folder.has_filename())
         folder = folder.parent_path(); // "results/water/"
-    return settled_path(folder).string() + (sweeps ? "." + source.name : "") + std::string(suffix);
+    // A run that is named after the engine, as `compare` names it, says so once.
+    const bool is_named = sweeps && "." + source.name != suffix;
+    return settled_path(folder).string() + (is_named ? "." + source.name : "") +
+           std::string(suffix);
 }
 
 bool open_engine_folder(const fs::path& folder, const Case& source, bool anew) {

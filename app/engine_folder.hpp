@@ -7,7 +7,7 @@
 namespace searle::app {
 
 /// Where OpenFOAM's cases of a run stand: beside its result folder, `<result folder>.openfoam`, in
-/// a sweep `<result folder>.<name>.openfoam`.
+/// a sweep `<result folder>.<name>.openfoam` (of a run named openfoam: `<result folder>.openfoam`).
 [[nodiscard]] std::filesystem::path
 engine_folder_for(const Case& source, const std::filesystem::path& result_folder, bool sweeps);
 

@@ -57,6 +57,12 @@ solvers::openfoam::Installation installation_for(const Case& source) {
             "{}: solver.engine: OpenFOAM is not here; apt-get install {} brings it, engine = "
             "\"native\" solves the case without it",
             source.file.string(), solvers::openfoam::package));
+    const int processes = source.scene.solver.processors;
+    if (processes > 1 && !solvers::openfoam::program_in_path("mpirun"))
+        throw EngineMissing(fmt::format(
+            "{}: solver.processors = {}: mpirun, which starts several processes, is not here; "
+            "apt-get install {} brings it, processors = 1 does without",
+            source.file.string(), processes, solvers::openfoam::mpi_package));
     return *found;
 }
 

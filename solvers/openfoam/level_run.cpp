@@ -2,6 +2,7 @@
 
 #include "solvers/openfoam/case_folder.hpp"
 #include "solvers/openfoam/child_process.hpp"
+#include "solvers/openfoam/disk_space.hpp"
 #include "solvers/openfoam/level_reading.hpp"
 #include "solvers/openfoam/log_tail.hpp"
 #include "solvers/unsuitable_scene.hpp"
@@ -34,8 +35,17 @@ public:
             run_rows(result);
         else
             run_in_time(result);
-        if (is_parallel() && result.failure.empty())
-            (void)start({"reconstructPar", "-latestTime"}, "reconstructPar");
+        if (is_parallel() && result.failure.empty() &&
+            start({"reconstructPar", "-latestTime"}, "reconstructPar") != 0)
+            fail_if_disk_is_full("reconstructPar");
+    }
+    /// A program that found no room ends in any way, or not at all.
+    void fail_if_disk_is_full(const std::string& program) const {
+        if (disk_is_full(task_.folder))
+            throw DiskFull(fmt::format(
+                "{}: the disk is full, {} could not write. What is there is kept: with room "
+                "made, the same command goes on from there",
+                task_.folder.string(), program));
     }
 
 private:
@@ -74,9 +84,14 @@ private:
                 fmt::format("solver.processors = {}: the coarsest mesh has {} cells; at most one "
                             "process a cell",
                             task_.scene.solver.processors, cells));
-        if (start({"decomposePar"}, "decomposePar") != 0)
+        if (start({"decomposePar"}, "decomposePar") != 0) {
+            std::error_code ignored; // a part of them would pass for all
+            for (const fs::path& place : field_places())
+                fs::remove_all(place, ignored);
+            fail_if_disk_is_full("decomposePar");
             throw UnsuitableScene(fmt::format("decomposePar failed: {}",
                                               (task_.folder / "log.decomposePar").string()));
+        }
     }
 
     [[nodiscard]] std::vector<std::string> solver_command() const {
@@ -128,6 +143,7 @@ private:
         }
         if (code == 0)
             return;
+        fail_if_disk_is_full(application());
         const LogTail tail = log_tail(log());
         std::string why = code == 136 || code == 8
                               ? "a number grew beyond all bounds (floating-point exception)"
@@ -185,6 +201,10 @@ private:
     std::optional<Clock::time_point> stop_asked_;
 };
 
+std::size_t rows_of(const FoamPlan& plan) {
+    return plan.steady ? plan.speeds.speeds.size() : plan.history.row_times.size();
+}
+
 bool is_there(const fs::path& folder) { return fs::exists(folder / "system" / "controlDict"); }
 
 } // namespace
@@ -207,11 +227,19 @@ LevelResult run_level(const LevelTask& task, const ProgressSink& progress) {
             task.folder.string(), fmt::join(changed, ", "), changed.size() == 1 ? "is" : "are"));
     }
     LevelResult ran;
-    LevelPrograms(task, level, progress).run(ran);
+    LevelPrograms programs(task, level, progress);
+    programs.run(ran);
     LevelResult result = read_results(task, level);
     result.interrupted = ran.interrupted;
     if (!ran.failure.empty())
         result.failure = ran.failure;
+    if (const std::size_t rows = rows_of(task.plan);
+        result.failure.empty() && !result.interrupted && result.torque.size() < rows) {
+        programs.fail_if_disk_is_full(std::string(name_of(task.plan.application)));
+        result.failure = fmt::format(
+            "{} ended without a fault, but its torques stop after row {} of {}; its case: {}.",
+            name_of(task.plan.application), result.torque.size(), rows, task.folder.string());
+    }
     return result;
 }
 
