@@ -139,6 +139,11 @@ void choose_time(const Scene& scene, const Plan& plan, FoamPlan& foam) {
         throw UnsuitableScene("Taylor vortices need time to grow: OpenFOAM solves steady rows past "
                               "their onset as steps with a hold in seconds");
     }
+    if (conversion.end_factor_provisional)
+        throw UnsuitableScene(
+            "conversion.end_factor = \"computed\" takes c_L from steady rows with "
+            "solver.engine = \"openfoam\"; a protocol in time needs a number, or "
+            "engine = \"native\"");
     foam.history = std::get<rheometry::SpeedHistory>(schedule);
     if (foam.history.initial_speed != 0.0)
         foam.hold = settling_time(scene.instrument, scene.fluid, 0.0, foam.history.initial_speed,
