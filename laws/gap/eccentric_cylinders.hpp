@@ -14,7 +14,7 @@ namespace searle::laws::gap {
 ///     G = T (1 - k)^2 - 2 k (sinh T - T):
 ///     torque on the inner cylinder about its own axis  4 pi eta omega r_1^2 [T coth T - 1 +
 ///     (e/r_2)^2] / G force that holds it, across the line of axes     4 pi eta omega k^2 e / G
-/// docs/openfoam.md derives them. Limits: e = 0 gives 4 pi eta omega r_1^2 / (1 - k^2) and no
+/// docs/eccentric-bob.md derives them. Limits: e = 0 gives 4 pi eta omega r_1^2 / (1 - k^2) and no
 /// force; a narrow gap c = r_2 - r_1 with eps = e / c gives Sommerfeld's journal bearing (1904),
 ///     4 pi eta omega r^3 / c (1 + 2 eps^2) / ((2 + eps^2) sqrt(1 - eps^2)) and
 ///     12 pi eta omega r^3 / c^2 eps / ((2 + eps^2) sqrt(1 - eps^2)).

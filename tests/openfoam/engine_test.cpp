@@ -1,8 +1,4 @@
-#include "../app/running.hpp"
-#include "rheometry/rheogram_csv.hpp"
-#include "solvers/openfoam/installation.hpp"
-
-#include <gtest/gtest.h>
+#include "running_cases.hpp"
 
 #include <cmath>
 
@@ -15,30 +11,8 @@ namespace {
 namespace fs = std::filesystem;
 using namespace testing;
 
-rheometry::Rheogram rheogram_in(const fs::path& folder) {
-    return rheometry::read_rheogram_csv(folder / "rheogram.csv").rheogram;
-}
-
-class OpenFoamEngine : public ::testing::Test {
+class OpenFoamEngine : public OpenFoamRuns {
 protected:
-    void SetUp() override {
-        if (!solvers::openfoam::find_installation())
-            GTEST_SKIP() << "OpenFOAM is not installed (package openfoam)";
-    }
-
-    /// Runs a case of cases/ with settings, in `folder`.
-    Outcome run_case(const std::string& name, const std::string& out,
-                     const std::vector<std::string>& settings) {
-        std::vector<std::string> words{"run", std::string(SEARLE_SOURCE_DIR) + "/cases/" + name,
-                                       "-o", out, "--quiet"};
-        for (const std::string& setting : settings) {
-            words.emplace_back("--set");
-            words.push_back(setting);
-        }
-        return run({.arguments = words, .directory = folder.path()});
-    }
-
-    TemporaryFolder folder;
     const std::vector<std::string> coarse{"solver.engine=openfoam", "solver.accuracy=0.01",
                                           "protocol.points=10"};
 };
