@@ -244,7 +244,7 @@ radial::RadialReport solve_with_openfoam(const Scene& scene, const Plan& plan,
         if (!result.torque.empty() || levels.is_empty())
             levels.add(std::move(result));
         if (!failure.empty() && levels.is_empty())
-            throw OpenFoamFailed(failure + " No row's error is told.");
+            throw OpenFoamFailed(failure + "; no row is kept, for nothing bounds their errors");
         if (interrupted || !failure.empty())
             return levels.report(interrupted, failure);
         if (levels.meets_accuracy())
