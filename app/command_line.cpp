@@ -349,7 +349,7 @@ private:
         CLI::App* app = add("stress", "Hold random scenes to the truth: what can break it",
                             "fluid --scenes 500 --seed 7 -o sweep", options, stress);
         app->add_option("NAME", options->families,
-                        "Families: fluid, particles, input; default all");
+                        "fluid, extreme, particles, input (default: these), openfoam");
         app->add_option("--scenes", options->scenes, "Scenes of each family")
             ->capture_default_str();
         app->add_option("--seed", options->seed, "What they are drawn from")->capture_default_str();

@@ -32,7 +32,7 @@ int stress(const StressOptions& options) {
         const InterruptWatch watch;
         ProgressLine line(options.quiet || options.json);
         result = run_stress(
-            {.families = options.families.empty() ? known : options.families,
+            {.families = options.families.empty() ? usual_stress_families() : options.families,
              .scenes = options.scenes,
              .seed = static_cast<std::uint64_t>(options.seed),
              .minutes = options.minutes,

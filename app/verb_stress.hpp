@@ -8,7 +8,7 @@
 namespace searle::app {
 
 struct StressOptions {
-    std::vector<std::string> families; ///< empty: all
+    std::vector<std::string> families; ///< empty: all but "openfoam"
     long scenes = 100;                 ///< of each family
     std::int64_t seed = 1;
     double minutes = 0.0;              ///< 0: no limit

@@ -1,9 +1,11 @@
+#include "app/case_reader.hpp"
 #include "app/stress/draw.hpp"
 #include "app/stress/random_case.hpp"
 #include "app/stress/scene_trial.hpp"
 #include "app/stress/stress_campaign.hpp"
 #include "tests/app/running.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -71,6 +73,32 @@ TEST(StressScenes, cover_geometries_laws_and_protocols) {
                              "power-law", "herschel-bulkley", "casson", "carreau-yasuda", "cross",
                              "steady", "ramp", "up-down", "jumps"})
         EXPECT_NE(kinds.find(word), std::string::npos) << word;
+}
+
+TEST(StressScenes, need_no_other_program_unless_asked_for) {
+    const std::vector<std::string> usual = usual_stress_families();
+    EXPECT_EQ(std::ranges::count(usual, "openfoam"), 0);
+    for (const std::string& family : usual)
+        for (long number = 1; number <= 50; ++number)
+            EXPECT_EQ(random_case(family, 1, number).text.find("engine"), std::string::npos);
+}
+
+/// The drawn time steps and cells reach OpenFOAM, and the cases are ones that it has: a plan can be
+/// made of each.
+TEST(StressScenes, for_openfoam_can_be_planned_and_half_of_those_in_time_are_forced) {
+    int forced = 0;
+    int in_time = 0;
+    for (long number = 1; number <= 60; ++number) {
+        const RandomCase scene = random_case("openfoam", 1, number);
+        const std::vector<Case> cases = read_cases_text(scene.text, "scene.toml");
+        ASSERT_EQ(cases.size(), 1U);
+        EXPECT_EQ(cases.front().scene.solver.engine, solvers::Engine::openfoam);
+        const bool steady = scene.kind.ends_with("steady");
+        in_time += steady ? 0 : 1;
+        forced += cases.front().scene.solver.time_step ? 1 : 0;
+    }
+    EXPECT_GT(forced, in_time / 4);
+    EXPECT_LT(forced, in_time);
 }
 
 TEST(StressTrial, a_right_case_is_right_and_held_to_digits) {
