@@ -112,7 +112,6 @@ private:
     }
 
     void run_rows(LevelResult& result) {
-        set_control(task_.folder, "stopAt", "endTime");
         const auto rows = task_.plan.speeds.speeds.size();
         for (row_ = 0; row_ < rows && !result.interrupted && result.failure.empty(); ++row_) {
             if (row_is_finished(task_, row_))
@@ -120,6 +119,8 @@ private:
             const std::string end =
                 fmt::format("{}", (row_ + 1) * static_cast<std::size_t>(task_.plan.iterations));
             set_control(task_.folder, "endTime", end);
+            set_control(task_.folder, "stopAt", "endTime");
+            is_settled_ = false;
             note_end(start(solver_command(), application()), result);
             if (result.interrupted || !result.failure.empty())
                 return;
@@ -178,7 +179,30 @@ private:
         }
     }
 
+    /// The residual of a component that hardly flows may hang although nothing moves any more: a
+    /// row whose torque has stood still for a thousand iterations ends where it is.
+    void end_settled_row() {
+        constexpr int still = 1000;
+        constexpr double moves = 1e-10; // relative, over all of them
+        if (is_settled_)
+            return;
+        const std::string start =
+            fmt::format("{}", row_ * static_cast<std::size_t>(task_.plan.iterations));
+        const std::vector<LoadSample> loads = last_loads(task_.folder / "postProcessing/torque_bob",
+                                                         start, level_.component(), still + 200);
+        if (loads.size() < static_cast<std::size_t>(still))
+            return;
+        const auto [least, most] =
+            std::ranges::minmax(loads, {}, [](const LoadSample& load) { return load.value; });
+        if (!(most.value - least.value < moves * std::abs(most.value)))
+            return;
+        set_control(task_.folder, "stopAt", "writeNow");
+        is_settled_ = true;
+    }
+
     void look() {
+        if (task_.plan.steady)
+            end_settled_row();
         const LogTail tail = log_tail(log());
         const double done = tail.time.value_or(0.0);
         fraction_ = std::clamp(done / end_time(level_.facts()), 0.0, 1.0);
@@ -195,6 +219,7 @@ private:
     const LevelCase& level_;
     const ProgressSink& progress_;
     std::size_t row_ = 0;
+    bool is_settled_ = false; ///< the row was told to end
     double fraction_ = 0.0;
     std::string stage_ = "openfoam";
     Clock::time_point last_look_ = Clock::now();
