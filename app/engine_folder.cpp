@@ -59,4 +59,12 @@ bool open_engine_folder(const fs::path& folder, const Case& source, bool anew) {
     return false;
 }
 
+void remove_unused_engine_folder(const fs::path& folder) {
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+        if (entry.path().filename() != "case.toml")
+            return;
+    fs::remove_all(folder, ignored);
+}
+
 } // namespace searle::app

@@ -17,4 +17,7 @@ engine_folder_for(const Case& source, const std::filesystem::path& result_folder
 /// Throws OutputPlaceError where it holds anything else, or another case.
 bool open_engine_folder(const std::filesystem::path& folder, const Case& source, bool anew);
 
+/// Removes a folder that no case was written to: the run ended before, for its settings.
+void remove_unused_engine_folder(const std::filesystem::path& folder);
+
 } // namespace searle::app

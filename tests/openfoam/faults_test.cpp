@@ -71,6 +71,25 @@ TEST(OpenFoamFaults, a_program_that_does_nothing_and_says_all_is_well_is_no_resu
     EXPECT_FALSE(fs::exists(folder / "water"));
 }
 
+TEST(OpenFoamFaults, a_mesh_that_there_is_not_leaves_no_folder_behind) {
+    const TemporaryFolder folder;
+    const LookAlike only_openfoam;
+    const std::vector<std::string> words{
+        "run",   std::string(SEARLE_SOURCE_DIR) + "/cases/single-gap-water.toml",
+        "--set", "solver.engine=openfoam",
+        "--set", "geometry.offset=0.5 mm",
+        "--set", "mesh.wedge_angle=90 deg"};
+    for (const bool write_only : {false, true}) {
+        std::vector<std::string> all = words;
+        if (write_only)
+            all.emplace_back("--write-only");
+        const Outcome outcome = run({.arguments = all, .directory = folder.path()});
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_NE(outcome.err.find("geometry.offset"), std::string::npos) << outcome.err;
+        EXPECT_FALSE(fs::exists(folder / "results/single-gap-water.openfoam"));
+    }
+}
+
 /// A file system of so many kilobytes, unmounted at the end.
 class SmallDisk {
 public:
