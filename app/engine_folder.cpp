@@ -36,6 +36,13 @@ fs::path engine_folder_for(const Case& source, const fs::path& result_folder, bo
            std::string(suffix);
 }
 
+void check_engine_can_run_in(const fs::path& folder) {
+    if (folder.string().find_first_of(" \t\n\"'") != std::string::npos)
+        throw OutputPlaceError(fmt::format("{}: OpenFOAM cannot run in a folder whose path has a "
+                                           "blank or a quote in it; -o takes another",
+                                           folder.string()));
+}
+
 bool open_engine_folder(const fs::path& folder, const Case& source, bool anew) {
     const fs::path case_file = folder / "case.toml";
     if (fs::exists(folder) && !fs::is_directory(folder))

@@ -11,6 +11,10 @@ namespace searle::app {
 [[nodiscard]] std::filesystem::path
 engine_folder_for(const Case& source, const std::filesystem::path& result_folder, bool sweeps);
 
+/// Throws OutputPlaceError where OpenFOAM cannot run in the folder: it leaves blanks and quotes out
+/// of the paths that it is given.
+void check_engine_can_run_in(const std::filesystem::path& folder);
+
 /// Makes the folder ready for the case: it holds `case.toml`, the case as resolved.
 /// @param anew  what an earlier run left there goes
 /// @return whether an earlier run of this very case stands there, to go on from

@@ -25,7 +25,7 @@ protected:
         const std::string text =
             text_of(std::string(SEARLE_SOURCE_DIR) + "/cases/openfoam-eccentric.toml");
         write_text(folder / "one.toml", text.substr(0, text.find("[sweep]")));
-        const std::string out = fmt::format("{}-{}", offset, cells);
+        const std::string out = fmt::format("across-{}", cells);
         const Outcome outcome =
             run({.arguments = {"run", "one.toml", "-o", out, "--quiet", "--set",
                                "geometry.offset=" + offset, "--set", "solver.accuracy=0.1", "--set",

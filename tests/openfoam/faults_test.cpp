@@ -90,6 +90,18 @@ TEST(OpenFoamFaults, a_mesh_that_there_is_not_leaves_no_folder_behind) {
     }
 }
 
+TEST(OpenFoamFaults, a_path_with_a_blank_is_refused_for_openfoam_cannot_run_there) {
+    const TemporaryFolder folder;
+    const LookAlike only_openfoam;
+    const Outcome outcome =
+        run({.arguments = {"run", std::string(SEARLE_SOURCE_DIR) + "/cases/single-gap-water.toml",
+                           "--set", "solver.engine=openfoam", "-o", "my results"},
+             .directory = folder.path()});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("blank"), std::string::npos) << outcome.err;
+    EXPECT_EQ(names_in(folder.path()), "");
+}
+
 /// A file system of so many kilobytes, unmounted at the end.
 class SmallDisk {
 public:
