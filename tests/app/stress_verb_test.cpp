@@ -9,6 +9,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 namespace searle::app {
 namespace {
@@ -173,11 +174,33 @@ TEST(StressVerb, writes_a_table_goes_on_where_it_stopped_and_tells_json) {
     EXPECT_EQ(json["fluid"]["failures"], 0);
 }
 
+/// A sweep in two parts is the sweep in one.
+TEST(StressVerb, begins_at_the_number_asked_for) {
+    const TemporaryFolder folder;
+    const auto table = [&](const std::string& name, const std::vector<std::string>& more) {
+        std::vector<std::string> words{
+            "stress", "fluid", "--seed", "9", "-o", (folder / name).string(), "--quiet"};
+        words.insert(words.end(), more.begin(), more.end());
+        EXPECT_EQ(testing::searle(words, folder.path()).exit_code, 0);
+        // Without what a busy machine changes: the CPU time.
+        std::string kept;
+        std::istringstream lines(text_of(folder / name / "stress.csv"));
+        for (std::string line; std::getline(lines, line);)
+            if (line.starts_with("fluid,3,") || line.starts_with("fluid,4,"))
+                kept += line.substr(0, line.find(",RIGHT")) + '\n';
+        return kept;
+    };
+    const std::string whole = table("whole", {"--scenes", "4"});
+    EXPECT_EQ(whole, table("part", {"--first", "3", "--scenes", "2"}));
+    EXPECT_EQ(std::count(whole.begin(), whole.end(), '\n'), 2);
+}
+
 TEST(StressVerb, wrong_usage_is_one_message_and_code_2) {
     const TemporaryFolder folder;
     testing::write_text(folder / "file", "x");
     const std::vector<std::vector<std::string>> wrong{{"stress", "fluids"},
                                                       {"stress", "--scenes", "0"},
+                                                      {"stress", "--first", "0"},
                                                       {"stress", "--minutes", "-1"},
                                                       {"stress", "--scene-seconds", "0"},
                                                       {"stress", "-o", (folder / "file").string()}};
