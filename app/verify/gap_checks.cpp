@@ -4,7 +4,6 @@
 #include "solvers/radial/gap_run.hpp"
 #include "solvers/radial/radial_solver.hpp"
 #include "solvers/radial/transient_levels.hpp"
-#include "solvers/stability/taylor_threshold.hpp"
 #include "verification/newtonian_start_up.hpp"
 #include "verification/regularised_finite_volumes.hpp"
 
@@ -170,30 +169,11 @@ Found slurry_ramp_against_finite_volumes() {
     return {errors[2], order_of(errors[1], errors[2])};
 }
 
-Found taylor_onset() {
-    using solvers::stability::taylor_threshold;
-    return {std::max({std::abs(taylor_threshold(1.0).reynolds - 68.1863),
-                      std::abs(taylor_threshold(1.0 / 0.875 - 1.0).reynolds - 118.1571),
-                      std::abs(taylor_threshold(1.0 / 0.95 - 1.0).reynolds - 184.9856),
-                      std::abs(taylor_threshold(1.0).wave_number - 3.1625)})};
-}
-
-Found taylor_onset_thirty_digits() {
-    double worst = 0.0;
-    for (const auto& [gap, reynolds] :
-         {std::array{0.0005, 1841.70303886496}, std::array{1.0 / 14.0, 160.50432850405},
-          std::array{1.0, 68.1862683463863}, std::array{9.0, 140.492148428144}})
-        worst =
-            std::max(worst, relative(solvers::stability::taylor_threshold(gap).reynolds, reynolds));
-    return {worst};
-}
-
 } // namespace
 
 std::vector<Check> gap_checks() {
     const std::string steady = "tests/verification/steady_gap_test.cpp";
     const std::string transient = "tests/verification/transient_gap_test.cpp";
-    const std::string onset = "tests/solvers/stability_taylor_threshold_test.cpp";
     return {
         {.name = "gap-herschel-bulkley-values",
          .subject = "steady flow in a gap, Herschel-Bulkley, all and partly sheared",
@@ -271,22 +251,6 @@ std::vector<Check> gap_checks() {
          .file = "tests/verification/independent_finite_volumes_test.cpp",
          .test = "IndependentMethod.regularised_finite_volumes_tend_to_the_solver_s_torque",
          .run = slurry_ramp_against_finite_volumes},
-        {.name = "taylor-onset",
-         .subject = "onset of Taylor vortices, R_bob/R_cup 0.5, 0.875 and 0.95",
-         .against = "published values 68.1863, 118.1571 and 184.9856, k d 3.1625",
-         .tolerance = 5e-5,
-         .origin = "half the values' last digit",
-         .file = onset,
-         .test = "TaylorThreshold.published_values_are_met",
-         .run = taylor_onset},
-        {.name = "taylor-onset-thirty-digits",
-         .subject = "onset of Taylor vortices in gaps of 0.05 % to nine radii",
-         .against = "Chebyshev collocation with 30 digits",
-         .tolerance = 3e-10,
-         .origin = "the resolution at which the solver stops",
-         .file = onset,
-         .test = "TaylorThreshold.ten_digits_agree_with_collocation_in_thirty_digits",
-         .run = taylor_onset_thirty_digits},
     };
 }
 
