@@ -1,9 +1,11 @@
 #include "solvers/suspension/suspension_rows.hpp"
 
-#include "solvers/suspension/block_statistics.hpp"
+#include "solvers/suspension/correlated_series.hpp"
+#include "solvers/suspension/start_up.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <functional>
 #include <limits>
 #include <vector>
@@ -63,6 +65,15 @@ rheometry::TorqueRow finished(const rheometry::SuspensionStress& stress, double 
     return row;
 }
 
+/// A statistical error below this share of the stress needs no note.
+constexpr double negligible_scatter = 0.01;
+
+void put_scatter(rheometry::SuspensionStress& stress, const SeriesEstimate& estimate) {
+    stress.statistical_error =
+        std::isfinite(estimate.error) ? estimate.error : std::numeric_limits<double>::quiet_NaN();
+    stress.independent_values = estimate.independent;
+}
+
 double total_of(const StressSample& sample, bool walls) {
     return walls ? sample.wall.total() : sample.bulk.total();
 }
@@ -93,13 +104,10 @@ rheometry::TorqueRow row_of_hold(std::span<const StressSample> samples, bool wal
             series_of(samples, [&](const StressSample& s) { return total_of(s, walls); }));
     }
     const std::span<const StressSample> kept = samples.subspan(start);
-    rheometry::SuspensionStress stress = columns_by(
-        walls, [&](const Pick& pick) { return mean_of_series(series_of(kept, pick)).mean; });
-    const double error = mean_of_series(series_of(kept, [&](const StressSample& s) {
-                             return total_of(s, walls);
-                         })).standard_error;
-    stress.statistical_error =
-        std::isfinite(error) ? error : std::numeric_limits<double>::quiet_NaN();
+    rheometry::SuspensionStress stress =
+        columns_by(walls, [&](const Pick& pick) { return plain_mean(series_of(kept, pick)); });
+    put_scatter(stress, mean_of_series(series_of(
+                            kept, [&](const StressSample& s) { return total_of(s, walls); })));
     const StressSample& last = samples.back();
     return finished(stress, last.time + 0.5 * last.duration, wall_area, claimed);
 }
@@ -109,15 +117,47 @@ rheometry::TorqueRow row_of_ramp(std::span<const StressSample> samples, bool wal
     const std::vector<double> times =
         series_of(samples, [](const StressSample& s) { return s.time; });
     rheometry::SuspensionStress stress = columns_by(walls, [&](const Pick& pick) {
-        return line_at(times, series_of(samples, pick), time).value;
+        return value_on_line(times, series_of(samples, pick), time);
     });
-    const double error =
+    put_scatter(
+        stress,
         line_at(times,
-                series_of(samples, [&](const StressSample& s) { return total_of(s, walls); }), time)
-            .standard_error;
-    stress.statistical_error =
-        std::isfinite(error) ? error : std::numeric_limits<double>::quiet_NaN();
+                series_of(samples, [&](const StressSample& s) { return total_of(s, walls); }),
+                time));
     return finished(stress, time, wall_area, claimed);
+}
+
+std::string note_on_scatter(std::span<const rheometry::TorqueRow> rows, double accuracy) {
+    std::size_t short_rows = 0;
+    std::size_t first = 0;
+    std::size_t last = 0;
+    double largest = 0.0;
+    double fewest = enough_independent;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const auto& stress = rows[k].suspension;
+        if (!stress)
+            continue;
+        const double share = stress->statistical_error / std::abs(stress->total());
+        // NaN, when there are too few samples for any error, is one of them.
+        if (share <= std::max(accuracy, negligible_scatter) ||
+            stress->independent_values >= enough_independent)
+            continue;
+        if (short_rows++ == 0)
+            first = k + 1;
+        last = k + 1;
+        largest = std::max(largest, share);
+        fewest = std::min(fewest, stress->independent_values);
+    }
+    if (short_rows == 0)
+        return "";
+    return fmt::format(
+        "{} averaged over so short a time that the stress tells no more than {:.2g} independent "
+        "values would ({:.0f} are enough). The statistical error is widened for it, up to {:.2g} % "
+        "of the stress; what changes more slowly than that time stays unseen. A longer "
+        "hold or ramp, or a larger box, mends it.",
+        short_rows == 1 ? fmt::format("Row {} is", first)
+                        : fmt::format("{} rows between {} and {} are", short_rows, first, last),
+        fewest, enough_independent, 100.0 * largest);
 }
 
 } // namespace searle::solvers::suspension

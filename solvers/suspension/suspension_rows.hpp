@@ -4,6 +4,7 @@
 #include "solvers/suspension/stress_sample.hpp"
 
 #include <span>
+#include <string>
 
 namespace searle::solvers::suspension {
 
@@ -29,5 +30,11 @@ struct ClaimedError {
 /// Value at `time` of straight lines through the samples.
 [[nodiscard]] rheometry::TorqueRow row_of_ramp(std::span<const StressSample> samples, bool walls,
                                                double time, double wall_area, ClaimedError claimed);
+
+/// A sentence on the rows that were averaged over too short a time for their scatter to be told
+/// well, and how wide their bars are; empty when there is none.
+/// @param accuracy a statistical error below it, relative, is not worth a word
+[[nodiscard]] std::string note_on_scatter(std::span<const rheometry::TorqueRow> rows,
+                                          double accuracy);
 
 } // namespace searle::solvers::suspension

@@ -330,6 +330,10 @@ SuspensionReport solve_suspension(const Scene& scene, const Plan& plan,
     report.solution.time_steps = counts.steps;
     report.solution.linear_solves = counts.fluid_steps + counts.solver_iterations;
     report.solution.unknowns = plan.expected_unknowns;
+    if (const std::string note =
+            note_on_scatter(report.solution.history.rows, scene.solver.accuracy);
+        !note.empty())
+        report.solution.notes.push_back(note);
     report.samples = run.take_samples();
     return report;
 }
