@@ -21,6 +21,13 @@ struct RunRecord {
     std::vector<rheometry::fields::SectionFields> fields; ///< of fields/, by row
 };
 
+/// What a run with particles says, in sentences; none without particles. Plain text.
+[[nodiscard]] std::vector<std::string> remarks_on(const RunRecord& record);
+
+/// The same over a sweep: where its runs differ.
+[[nodiscard]] std::vector<std::string> remarks_on(const SweepSummary& summary,
+                                                  const std::vector<RunRecord>& records);
+
 /// report.html of a run. The same record gives the same bytes.
 [[nodiscard]] std::string report_page(const RunRecord& record);
 

@@ -27,12 +27,14 @@ std::string csv_of(const SolvedCase& solved) {
 } // namespace
 
 RunRecord record_of(const SolvedCase& solved, const std::string& created) {
-    return {.summary = run_summary(solved, created),
-            .source = solved.source,
-            .rheogram = solved.rheogram,
-            .csv = csv_of(solved),
-            .ends = solved.ends,
-            .fields = solved.solution.fields};
+    RunRecord record{.summary = run_summary(solved, created),
+                     .source = solved.source,
+                     .rheogram = solved.rheogram,
+                     .csv = csv_of(solved),
+                     .ends = solved.ends,
+                     .fields = solved.solution.fields};
+    record.summary.remarks = remarks_on(record);
+    return record;
 }
 
 std::vector<ResultFile> files_of(const RunRecord& record, const std::string& prefix) {
