@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/case_reader.hpp"
+#include "app/result_folder.hpp"
 #include "app/summary_json.hpp"
 #include "rheometry/end_effect.hpp"
 #include "rheometry/fields/section_fields.hpp"
@@ -19,6 +20,7 @@ struct RunRecord {
     std::string csv;                                      ///< the bytes of rheogram.csv
     std::vector<rheometry::EndEffect> ends;               ///< of end_factor.csv
     std::vector<rheometry::fields::SectionFields> fields; ///< of fields/, by row
+    std::vector<ResultFile> structure; ///< of a suspension that was just solved: its tables
 };
 
 /// What a run with particles says, in sentences; none without particles. Plain text.

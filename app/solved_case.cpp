@@ -79,6 +79,7 @@ SolvedCase unsolved(PlannedCase planned) {
             .conversion = {},
             .rheogram = {},
             .ends = {},
+            .structure = {},
             .clock = std::move(planned.clock)};
 }
 
@@ -96,9 +97,10 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
         solved.solution = solvers::openfoam::solve_with_openfoam(
             scene, solved.plan, keeping.engine_folder, installation_for(solved.source), progress);
     } else if (scene.particles) {
-        solved.solution = solvers::suspension::solve_suspension(scene, solved.plan, progress,
-                                                                keeping.checkpointing)
-                              .solution;
+        solvers::suspension::SuspensionReport report = solvers::suspension::solve_suspension(
+            scene, solved.plan, progress, keeping.checkpointing, keeping.frames);
+        solved.solution = std::move(report.solution);
+        solved.structure = std::move(report.structure);
     } else if (solved.plan.vortices) {
         solved.solution = solvers::meridional::solve_with_vortices(scene, solved.plan, progress);
     } else if (solved.plan.model == "axisymmetric") {

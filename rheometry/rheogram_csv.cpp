@@ -55,6 +55,7 @@ constexpr std::array suspension_columns{
     SuspensionColumn{"second_normal_stress_difference_Pa",
                      &SuspensionStress::second_normal_difference},
     SuspensionColumn{"particle_pressure_Pa", &SuspensionStress::particle_pressure},
+    SuspensionColumn{"contact_number", &SuspensionStress::contact_number},
     SuspensionColumn{"independent_values", &SuspensionStress::independent_values}};
 
 bool is_suspension(const Rheogram& rheogram) {

@@ -23,6 +23,7 @@ struct SuspensionStress {
     double first_normal_difference{};  ///< sigma_xx - sigma_yy of the particles
     double second_normal_difference{}; ///< sigma_yy - sigma_zz of the particles
     double particle_pressure{};
+    double contact_number{}; ///< touching partners of a particle, walls included
 
     [[nodiscard]] double total() const { return fluid + hydrodynamic + contact + dlvo + brownian; }
     [[nodiscard]] double bulk_total() const {

@@ -44,6 +44,7 @@ rheometry::SuspensionStress columns_by(bool walls,
         estimate([](const StressSample& s) { return s.first_normal_difference; });
     out.second_normal_difference =
         estimate([](const StressSample& s) { return s.second_normal_difference; });
+    out.contact_number = estimate([](const StressSample& s) { return s.contact_number; });
     out.particle_pressure = estimate([](const StressSample& s) { return s.particle_pressure; });
     return out;
 }
