@@ -22,6 +22,8 @@ int stress(const StressOptions& options) {
                                          fmt::join(known, ", ")));
     if (options.scenes < 1 || options.scenes > 10'000'000)
         throw UsageError("--scenes: 1 to 10000000 of each family");
+    if (options.first < 1 || options.first > 1'000'000'000)
+        throw UsageError("--first: 1 to 1000000000");
     if (options.minutes < 0.0 || options.scene_seconds <= 0.0)
         throw UsageError("--minutes and --scene-seconds: more than 0");
     if (std::filesystem::exists(options.folder) && !std::filesystem::is_directory(options.folder))
@@ -32,7 +34,8 @@ int stress(const StressOptions& options) {
         const InterruptWatch watch;
         ProgressLine line(options.quiet || options.json);
         result = run_stress(
-            {.families = options.families.empty() ? known : options.families,
+            {.families = options.families.empty() ? usual_stress_families() : options.families,
+             .first = options.first,
              .scenes = options.scenes,
              .seed = static_cast<std::uint64_t>(options.seed),
              .minutes = options.minutes,

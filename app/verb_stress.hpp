@@ -8,8 +8,9 @@
 namespace searle::app {
 
 struct StressOptions {
-    std::vector<std::string> families; ///< empty: all
+    std::vector<std::string> families; ///< empty: all but "openfoam"
     long scenes = 100;                 ///< of each family
+    long first = 1;                    ///< number of the first
     std::int64_t seed = 1;
     double minutes = 0.0;              ///< 0: no limit
     double scene_seconds = 120.0;

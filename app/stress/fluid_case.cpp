@@ -2,8 +2,69 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace searle::app {
 namespace {
+
+struct Range {
+    double low;
+    double high;
+    [[nodiscard]] double log(Draw& draw) const { return draw.log_between(low, high); }
+    [[nodiscard]] double even(Draw& draw) const { return draw.between(low, high); }
+};
+
+/// What scenes are drawn from.
+struct SceneRanges {
+    Range ratio;     ///< of the radii, less 1
+    Range rate;      ///< 1/s
+    Range viscosity; ///< Pa s
+    Range index;     ///< flow index
+    Range bingham;   ///< yield stress over viscous stress at the middle rate
+    Range duration;  ///< of the times that the gap's inertia takes
+    Range steady_accuracy;
+    Range accuracy; ///< in time
+};
+
+/// What an instrument is used for.
+constexpr SceneRanges usual{.ratio = {0.005, 2.0},
+                            .rate = {0.01, 1e3},
+                            .viscosity = {1e-3, 30.0},
+                            .index = {0.2, 1.8},
+                            .bingham = {1e-3, 1e4},
+                            .duration = {1.0, 3000.0},
+                            .steady_accuracy = {1e-10, 1e-1},
+                            .accuracy = {1e-5, 1e-1}};
+
+/// The same around a bob's ends.
+constexpr SceneRanges usual_with_ends{.ratio = usual.ratio,
+                                      .rate = {0.1, 50.0},
+                                      .viscosity = usual.viscosity,
+                                      .index = {0.4, 1.0},
+                                      .bingham = {1e-2, 10.0},
+                                      .duration = usual.duration,
+                                      .steady_accuracy = {1e-3, 1e-1},
+                                      .accuracy = {1e-3, 1e-1}};
+
+/// Beyond what anybody would measure: the program has to know what it cannot do.
+constexpr SceneRanges absurd{.ratio = {1e-3, 9.0},
+                             .rate = {1e-6, 1e6},
+                             .viscosity = {1e-5, 1e5},
+                             .index = {0.1, 2.0},
+                             .bingham = {1e-6, 1e6},
+                             .duration = {1e-6, 1e8},
+                             .steady_accuracy = {1e-10, 1e-1},
+                             .accuracy = {1e-10, 1e-1}};
+
+/// What OpenFOAM does within a minute: it has no yield surface, and steps where time is stiff.
+constexpr SceneRanges coarse{.ratio = {0.01, 1.0},
+                             .rate = {0.1, 100.0},
+                             .viscosity = {1e-3, 10.0},
+                             .index = {0.4, 1.3},
+                             .bingham = {1e-2, 1.0},
+                             .duration = {3.0, 1000.0},
+                             .steady_accuracy = {1e-2, 1e-1},
+                             .accuracy = {1e-2, 1e-1}};
 
 struct Instrument {
     std::string name;
@@ -12,9 +73,9 @@ struct Instrument {
     double rate_per_speed{}; ///< about, for times
 };
 
-Instrument draw_instrument(Draw& draw) {
+Instrument draw_instrument(Draw& draw, const SceneRanges& ranges) {
     const double bob = draw.log_between(5e-3, 40e-3);
-    const double ratio = 1.0 + draw.log_between(0.005, 2.0);
+    const double ratio = 1.0 + ranges.ratio.log(draw);
     const double kind = draw.unit();
     if (kind < 0.5)
         return {
@@ -54,13 +115,11 @@ struct Fluid {
     double viscosity{}; ///< Pa s, about, at the middle rate
 };
 
-Fluid draw_fluid(Draw& draw, double rate, bool mild) {
-    const double viscosity = draw.log_between(1e-3, 30.0);
-    const double index = mild ? draw.between(0.4, 1.0) : draw.between(0.2, 1.8);
+Fluid draw_fluid(Draw& draw, double rate, const SceneRanges& ranges) {
+    const double viscosity = ranges.viscosity.log(draw);
+    const double index = ranges.index.even(draw);
     const double consistency = viscosity * std::pow(rate, 1.0 - index);
-    // Of the yield stress over the viscous stress at the middle rate.
-    const double bingham = mild ? draw.log_between(1e-2, 10.0) : draw.log_between(1e-3, 1e4);
-    const double yield = bingham * viscosity * rate;
+    const double yield = ranges.bingham.log(draw) * viscosity * rate;
     const double density = draw.between(700.0, 2500.0);
     const auto with_density = [&](std::string name, const std::string& text) {
         return Fluid{
@@ -111,8 +170,9 @@ Fluid draw_fluid(Draw& draw, double rate, bool mild) {
 }
 
 /// @param lag  s, about the time that the gap's inertia takes
-std::string draw_protocol(Draw& draw, double rate, double lag, std::string& name) {
-    const double time = lag * draw.log_between(1.0, 3000.0);
+std::string draw_protocol(Draw& draw, double rate, double lag, const SceneRanges& ranges,
+                          std::string& name) {
+    const double time = lag * ranges.duration.log(draw);
     const double kind = draw.unit();
     if (kind < 0.5) {
         name = "steady";
@@ -144,26 +204,43 @@ std::string draw_protocol(Draw& draw, double rate, double lag, std::string& name
                        rate, rate * draw.between(0.1, 2.0), time);
 }
 
-} // namespace
-
-RandomCase fluid_case(Draw& draw) {
-    const Instrument instrument = draw_instrument(draw);
-    const bool has_section = instrument.name == "din-bob";
-    const double rate = has_section ? draw.log_between(0.1, 50.0) : draw.log_between(0.01, 1e3);
-    const Fluid fluid = draw_fluid(draw, rate, has_section);
+RandomCase draw_scene(Draw& draw, const SceneRanges& without_ends, const SceneRanges& with_ends) {
+    const Instrument instrument = draw_instrument(draw, without_ends);
+    const SceneRanges& ranges = instrument.name == "din-bob" ? with_ends : without_ends;
+    const double rate = ranges.rate.log(draw);
+    const Fluid fluid = draw_fluid(draw, rate, ranges);
     const double lag = 1e3 * instrument.gap * instrument.gap / fluid.viscosity / 3.0;
     std::string protocol_name;
-    const std::string protocol = draw_protocol(draw, rate, std::max(lag, 1e-9), protocol_name);
-    const bool steady = protocol_name == "steady";
-    const double accuracy = has_section ? draw.log_between(1e-3, 1e-1)
-                            : steady    ? draw.log_between(1e-10, 1e-1)
-                                        : draw.log_between(1e-5, 1e-1);
+    const std::string protocol =
+        draw_protocol(draw, rate, std::max(lag, 1e-9), ranges, protocol_name);
+    const double accuracy =
+        (protocol_name == "steady" ? ranges.steady_accuracy : ranges.accuracy).log(draw);
     RandomCase result;
     result.kind = fmt::format("{} {} {}", instrument.name, fluid.name, protocol_name);
     result.text = fmt::format("[geometry]\n{}\n[fluid]\n{}\n[protocol]\n{}\n[solver]\naccuracy = "
                               "{:.4g}\n{}",
                               instrument.text, fluid.text, protocol, accuracy,
                               draw.chance(0.15) ? "model = \"radial\"\n" : "");
+    return result;
+}
+
+} // namespace
+
+RandomCase fluid_case(Draw& draw) { return draw_scene(draw, usual, usual_with_ends); }
+
+RandomCase extreme_case(Draw& draw) { return draw_scene(draw, absurd, absurd); }
+
+RandomCase openfoam_case(Draw& draw) {
+    RandomCase result;
+    do // around a bob's ends a level takes minutes
+        result = draw_scene(draw, coarse, coarse);
+    while (result.kind.starts_with("din-bob") || result.text.ends_with("model = \"radial\"\n"));
+    result.text += "engine = \"openfoam\"\n";
+    if (result.kind.ends_with("steady") || draw.chance(0.5))
+        return result;
+    result.kind += " forced";
+    result.text += fmt::format("time_step = \"{:.3g} s\"\n\n[mesh]\ncells_across_gap = {}\n",
+                               draw.log_between(1e-4, 10.0), draw.integer(2, 60));
     return result;
 }
 

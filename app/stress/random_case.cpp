@@ -14,10 +14,14 @@ namespace {
 struct Family {
     const char* name;
     RandomCase (*draw)(Draw&);
+    bool by_default; ///< false: needs a program that need not be here
 };
 
-constexpr Family families[] = {
-    {"fluid", fluid_case}, {"particles", particle_case}, {"input", input_case}};
+constexpr Family families[] = {{"fluid", fluid_case, true},
+                               {"extreme", extreme_case, true},
+                               {"particles", particle_case, true},
+                               {"input", input_case, true},
+                               {"openfoam", openfoam_case, false}};
 
 } // namespace
 
@@ -25,6 +29,14 @@ std::vector<std::string> stress_families() {
     std::vector<std::string> names;
     for (const Family& family : families)
         names.emplace_back(family.name);
+    return names;
+}
+
+std::vector<std::string> usual_stress_families() {
+    std::vector<std::string> names;
+    for (const Family& family : families)
+        if (family.by_default)
+            names.emplace_back(family.name);
     return names;
 }
 

@@ -14,8 +14,10 @@ struct RandomCase {
     bool physical = true; ///< an instrument could be asked this; false: absurd on purpose
 };
 
-/// The families that there are: "fluid", "particles", "input".
+/// The families that there are: "fluid", "extreme", "particles", "input", "openfoam".
 [[nodiscard]] std::vector<std::string> stress_families();
+/// Those that need nothing but this program.
+[[nodiscard]] std::vector<std::string> usual_stress_families();
 
 /// The case of a number in a family: the same for the same seed on every machine, whatever was
 /// drawn before. Ranges: docs/robustness.md.

@@ -1,5 +1,6 @@
 #include "app/stress/scene_trial.hpp"
 
+#include "app/engine_folder.hpp"
 #include "app/stress/scene_truth.hpp"
 #include "geometry/mesh_error.hpp"
 #include "solvers/suspension/suspension_motion.hpp"
@@ -8,11 +9,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <ctime>
 #include <new>
+#include <optional>
 #include <sys/resource.h>
+#include <unistd.h>
 
 namespace searle::app {
 namespace {
@@ -26,8 +30,28 @@ struct Reason : std::runtime_error {
 /// What a truth may cost, over what the scene may take.
 constexpr double truth_share = 1.0;
 
-/// Share of the limit at which a suspension is stopped.
+/// Share of the limit at which a suspension, or OpenFOAM, is stopped.
 constexpr double stopped_at = 0.5;
+
+/// OpenFOAM's cases of a scene, for as long as it is looked at.
+class EngineScratch {
+public:
+    explicit EngineScratch(const Case& source)
+        : folder_(std::filesystem::temp_directory_path() /
+                  fmt::format("searle-stress-{}.openfoam", getpid())) {
+        (void)open_engine_folder(folder_, source, true);
+    }
+    ~EngineScratch() {
+        std::error_code ignored;
+        std::filesystem::remove_all(folder_, ignored);
+    }
+    EngineScratch(const EngineScratch&) = delete;
+    EngineScratch& operator=(const EngineScratch&) = delete;
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+private:
+    std::filesystem::path folder_;
+};
 
 void check_finite(const SolvedCase& solved) {
     for (const rheometry::RheogramPoint& point : solved.rheogram.points)
@@ -42,16 +66,31 @@ std::vector<double> judged(const RandomCase& scene, double limit) {
     if (cases.empty())
         throw Reason(Verdict::refused, "no case");
     // Of a mangled text that became a sweep the first case is run.
-    const std::clock_t begin = std::clock();
+    Case& source = cases.front();
     // A suspension may be stiffer than any patience, and a mangled case ask for anything: it is
     // stopped as by a user, and what it has by then has to hold.
-    const bool may_be_stopped = cases.front().scene.particles || !scene.physical;
-    const SolvedCase solved = solve_case(
-        plan_case(std::move(cases.front()), StageClock()), [&](double, std::string_view) {
-            if (may_be_stopped &&
-                static_cast<double>(std::clock() - begin) > stopped_at * limit * CLOCKS_PER_SEC)
-                throw solvers::Interrupted();
-        });
+    const bool by_openfoam = source.scene.solver.engine == solvers::Engine::openfoam;
+    const bool may_be_stopped = source.scene.particles || !scene.physical || by_openfoam;
+    std::optional<EngineScratch> scratch;
+    if (by_openfoam)
+        scratch.emplace(source);
+    const std::clock_t begin = std::clock();
+    // OpenFOAM's time is not this process's.
+    const auto wall_begin = std::chrono::steady_clock::now();
+    const auto seconds = [&] {
+        return by_openfoam
+                   ? std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_begin)
+                         .count()
+                   : static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    };
+    const SolvedCase solved =
+        solve_case(plan_case(std::move(source), StageClock()),
+                   [&](double, std::string_view) {
+                       if (may_be_stopped && seconds() > stopped_at * limit)
+                           throw solvers::Interrupted();
+                   },
+                   {.checkpointing = {},
+                    .engine_folder = scratch ? scratch->folder() : std::filesystem::path()});
     const double taken = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     if (taken > limit)
         throw Reason(Verdict::hung, fmt::format("took {:.0f} s", taken));

@@ -99,6 +99,8 @@ SceneTruth series_truth(const SolvedCase& solved) {
 SceneTruth finer_truth(const SolvedCase& solved, double seconds) {
     const bool has_ends = geometry::has_ends(solved.source.scene.instrument);
     Case source = solved.source;
+    source.scene.solver.engine = solvers::Engine::native;
+    source.scene.mesh = {}; // what was forced on OpenFOAM
     source.scene.solver.accuracy =
         std::max(1e-10, (has_ends ? 0.3 : 0.1) * source.scene.solver.accuracy);
     const std::clock_t begin = std::clock();

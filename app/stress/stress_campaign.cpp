@@ -124,7 +124,7 @@ StressResult run_stress(const StressPlan& plan, const bench::StopQuestion& stop,
     const long all = plan.scenes * static_cast<long>(plan.families.size());
     long finished = 0;
     // Family by family in turn, so that a time limit cuts all of them alike.
-    for (long number = 1; number <= plan.scenes; ++number)
+    for (long number = plan.first; number < plan.first + plan.scenes; ++number)
         for (const std::string& family : plan.families) {
             if (stop() || time_is_up()) {
                 result.stopped = true;

@@ -13,7 +13,8 @@ namespace searle::app {
 
 struct StressPlan {
     std::vector<std::string> families;
-    long scenes{}; ///< of each family
+    long first = 1; ///< number of the first scene
+    long scenes{};  ///< of each family
     std::uint64_t seed{};
     double minutes{};     ///< of wall clock over all; 0: no limit
     double scene_limit{}; ///< s of a scene

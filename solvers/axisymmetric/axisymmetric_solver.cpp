@@ -125,6 +125,17 @@ std::string range_text(const std::vector<double>& factors) {
                                : fmt::format("{:.6g} to {:.6g}", least, most);
 }
 
+/// What the energies say of the end factor at a speed.
+std::string bounds_text(double speed, const EndFactorCurve::Value& value) {
+    // Near the plastic limit the dual energy may say nothing.
+    constexpr double of_use = 2.0;
+    if (!(value.lower > 0.0) || value.upper > of_use * value.lower) {
+        return fmt::format("at {:.4g} rad/s the energies give no useful bounds.", speed);
+    }
+    return fmt::format("at {:.4g} rad/s it is between {:.6g} and {:.6g} by the energy bounds.",
+                       speed, value.lower, value.upper);
+}
+
 } // namespace
 
 void fill_from_run(std::span<const double> torque, std::span<const double> error,
@@ -181,12 +192,10 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
                 *std::max_element(speeds.begin(), speeds.end(), [](double one, double other) {
                     return std::abs(one) < std::abs(other);
                 });
-            const EndFactorCurve::Value at_fastest = ends.at(fastest);
             solution.notes.push_back(fmt::format(
-                "End factor of the creeping flow c_L = {} (computed; {} solution{}); at {:.4g} "
-                "rad/s it is between {:.6g} and {:.6g} by the energy bounds.",
+                "End factor of the creeping flow c_L = {} (computed; {} solution{}); {}",
                 range_text(report.end_factor), ends.solutions(), ends.solutions() == 1 ? "" : "s",
-                fastest, at_fastest.lower, at_fastest.upper));
+                bounds_text(fastest, ends.at(fastest))));
         }
         solution.interrupted = ends.interrupted();
     }

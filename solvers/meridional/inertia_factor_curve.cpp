@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace searle::solvers::meridional {
@@ -18,15 +19,23 @@ constexpr int last_degree = 32;
 constexpr double solution_share = 0.5;
 constexpr double interpolation_share = 0.3;
 
+/// What the levels there are come to at best: asking them for more costs time and brings nothing.
+double sharpest_accuracy(const laws::flow::AnyFlowLaw& law) {
+    if (laws::flow::yield_stress(law) > 0.0) {
+        return 1e-5; // the rounding of the yield surface
+    }
+    return std::holds_alternative<laws::flow::Newtonian>(law) ? 1e-8 : 1e-6;
+}
+
 } // namespace
 
 InertiaFactorCurve::InertiaFactorCurve(const geometry::DinBob& bob,
                                        const laws::flow::AnyFlowLaw& law, double density,
                                        std::span<const double> speeds, double accuracy,
                                        const ProgressSink& progress)
-    : flow_(bob, law, density, solution_share * accuracy) {
+    : flow_(bob, law, density, solution_share * std::max(accuracy, sharpest_accuracy(law))) {
     try {
-        solve_all(speeds, accuracy, progress);
+        solve_all(speeds, std::max(accuracy, sharpest_accuracy(law)), progress);
     } catch (const Interrupted&) {
         interrupted_ = true;
     }

@@ -24,11 +24,13 @@ constexpr int order = 4;
 constexpr double steepening = 4.0;
 constexpr int most_levels = 9;
 constexpr int most_elements = 20000;
-/// Element solves (tens of nanoseconds to a tenth of a microsecond each) that a further level may
-/// be expected to cost; a level takes four to eight times those of the one before.
-constexpr double most_element_solves = 3e7;
+/// Element solves (a tenth of a microsecond each, a whole one where powers are taken) that a
+/// further level may be expected to cost; a level takes four to eight times those of the one
+/// before.
+constexpr double most_element_solves = 2e7;
 constexpr double level_growth = 6.0;
-/// A level that takes this many times what is expected of it has a step that it cannot get past.
+/// A level that takes this many times what is expected of it, or what may be expected at most, has
+/// a step that it cannot get past.
 constexpr double most_overrun = 3.0;
 /// Share of the level before's difference that counts: two levels can agree by accident. Where the
 /// level converges at all it has fallen by more than this.
@@ -78,7 +80,7 @@ Level run_level(std::span<const RotorGap> gaps, const laws::flow::AnyFlowLaw& la
                  .layer = layers[g],
                  .steps_per_row = steps_per_row,
                  .step_tolerance = tolerance,
-                 .most_solves = most_solves},
+                 .most_solves = most_solves - level.linear_solves},
                 [&](std::size_t row, const GapRow& found) {
                     flux.push_back(found.flux);
                     level.rounding[row] = std::max(level.rounding[row], found.rounding);
@@ -308,8 +310,9 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
             break;
         }
         if (level > 1)
-            most_solves = static_cast<long>(most_overrun * level_growth *
-                                            static_cast<double>(found.linear_solves));
+            most_solves = static_cast<long>(
+                std::min(most_overrun * level_growth * static_cast<double>(found.linear_solves),
+                         most_element_solves / elements));
         result.torque = std::move(found.torque);
         result.momentum_defect = found.momentum_defect;
         result.elements = elements;

@@ -1,12 +1,15 @@
+#include "app/case_reader.hpp"
 #include "app/stress/draw.hpp"
 #include "app/stress/random_case.hpp"
 #include "app/stress/scene_trial.hpp"
 #include "app/stress/stress_campaign.hpp"
 #include "tests/app/running.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 namespace searle::app {
 namespace {
@@ -71,6 +74,32 @@ TEST(StressScenes, cover_geometries_laws_and_protocols) {
                              "power-law", "herschel-bulkley", "casson", "carreau-yasuda", "cross",
                              "steady", "ramp", "up-down", "jumps"})
         EXPECT_NE(kinds.find(word), std::string::npos) << word;
+}
+
+TEST(StressScenes, need_no_other_program_unless_asked_for) {
+    const std::vector<std::string> usual = usual_stress_families();
+    EXPECT_EQ(std::ranges::count(usual, "openfoam"), 0);
+    for (const std::string& family : usual)
+        for (long number = 1; number <= 50; ++number)
+            EXPECT_EQ(random_case(family, 1, number).text.find("engine"), std::string::npos);
+}
+
+/// The drawn time steps and cells reach OpenFOAM, and the cases are ones that it has: a plan can be
+/// made of each.
+TEST(StressScenes, for_openfoam_can_be_planned_and_half_of_those_in_time_are_forced) {
+    int forced = 0;
+    int in_time = 0;
+    for (long number = 1; number <= 60; ++number) {
+        const RandomCase scene = random_case("openfoam", 1, number);
+        const std::vector<Case> cases = read_cases_text(scene.text, "scene.toml");
+        ASSERT_EQ(cases.size(), 1U);
+        EXPECT_EQ(cases.front().scene.solver.engine, solvers::Engine::openfoam);
+        const bool steady = scene.kind.ends_with("steady");
+        in_time += steady ? 0 : 1;
+        forced += cases.front().scene.solver.time_step ? 1 : 0;
+    }
+    EXPECT_GT(forced, in_time / 4);
+    EXPECT_LT(forced, in_time);
 }
 
 TEST(StressTrial, a_right_case_is_right_and_held_to_digits) {
@@ -145,11 +174,33 @@ TEST(StressVerb, writes_a_table_goes_on_where_it_stopped_and_tells_json) {
     EXPECT_EQ(json["fluid"]["failures"], 0);
 }
 
+/// A sweep in two parts is the sweep in one.
+TEST(StressVerb, begins_at_the_number_asked_for) {
+    const TemporaryFolder folder;
+    const auto table = [&](const std::string& name, const std::vector<std::string>& more) {
+        std::vector<std::string> words{
+            "stress", "fluid", "--seed", "9", "-o", (folder / name).string(), "--quiet"};
+        words.insert(words.end(), more.begin(), more.end());
+        EXPECT_EQ(testing::searle(words, folder.path()).exit_code, 0);
+        // Without what a busy machine changes: the CPU time.
+        std::string kept;
+        std::istringstream lines(text_of(folder / name / "stress.csv"));
+        for (std::string line; std::getline(lines, line);)
+            if (line.starts_with("fluid,3,") || line.starts_with("fluid,4,"))
+                kept += line.substr(0, line.find(",RIGHT")) + '\n';
+        return kept;
+    };
+    const std::string whole = table("whole", {"--scenes", "4"});
+    EXPECT_EQ(whole, table("part", {"--first", "3", "--scenes", "2"}));
+    EXPECT_EQ(std::count(whole.begin(), whole.end(), '\n'), 2);
+}
+
 TEST(StressVerb, wrong_usage_is_one_message_and_code_2) {
     const TemporaryFolder folder;
     testing::write_text(folder / "file", "x");
     const std::vector<std::vector<std::string>> wrong{{"stress", "fluids"},
                                                       {"stress", "--scenes", "0"},
+                                                      {"stress", "--first", "0"},
                                                       {"stress", "--minutes", "-1"},
                                                       {"stress", "--scene-seconds", "0"},
                                                       {"stress", "-o", (folder / "file").string()}};

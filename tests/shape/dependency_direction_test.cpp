@@ -41,7 +41,7 @@ const std::map<std::string, std::set<std::string>> third_party{
     {"freexl", {"rheometry/tables/spreadsheet.cpp"}},
     {"zip.h", {"rheometry/tables/open_workbook.cpp"}},
     {"pugixml", {"rheometry/tables/open_workbook.cpp"}},
-    {"CLI/", {"app/command_line.cpp"}},
+    {"CLI/", {"app/grammar.hpp"}},
     {"hdf5", {"app/hdf5_module/module.cpp"}},
     {"gmsh.h", {"geometry/gmsh_module/module.cpp", "geometry/gmsh_module/filling.cpp"}},
     {"CGAL/", {"geometry/outline_check.cpp"}},
