@@ -45,7 +45,7 @@ struct PlannedCase {
 /// Where a run leaves what it can go on from.
 struct RunKeeping {
     solvers::suspension::Checkpointing checkpointing; ///< of a suspension
-    solvers::suspension::FrameSink frames;            ///< of a suspension: its trajectory
+    solvers::suspension::FrameSink frames{};          ///< of a suspension: its trajectory
     std::filesystem::path engine_folder;              ///< of engine = "openfoam": its cases
 };
 

@@ -121,7 +121,9 @@ std::vector<PropertyRow> instrument_rows(const ReportInput& input) {
     return std::move(writer.rows);
 }
 
-std::string_view instrument_phrase(const geometry::Instrument& instrument) {
+std::string_view instrument_phrase(const ReportInput& input) {
+    if (is_periodic(input))
+        return "a box without walls";
     struct Phrase {
         std::string_view operator()(const geometry::ConcentricCylinders&) const {
             return "single-gap concentric cylinders";
@@ -134,7 +136,7 @@ std::string_view instrument_phrase(const geometry::Instrument& instrument) {
             return "a box with one moving wall";
         }
     };
-    return std::visit(Phrase{}, instrument);
+    return std::visit(Phrase{}, input.instrument);
 }
 
 } // namespace searle::rheometry::report

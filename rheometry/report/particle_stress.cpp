@@ -126,11 +126,12 @@ std::string row(const std::string& name_html, const RheogramPoint& point, const 
 }
 
 std::string caption(int number, const std::string& what) {
-    return "<div class=\"table scroll\"><table class=\"data\"><caption><b>Table " +
-           std::to_string(number) + ".</b> " + what +
-           " Parts are those of the bulk, in percent of the stress of the fluid alone at that "
-           "rate; inertia is what the wall shows beyond the bulk. Errors are one standard error, "
-           "widened where the average is short.</caption>";
+    return "<p>Parts are those of the bulk, in percent of the stress of the fluid alone at that "
+           "rate; "
+           "inertia is what the wall shows beyond the bulk. Errors are one standard error, widened "
+           "where the average is short.</p><div class=\"table scroll\"><table class=\"data\">"
+           "<caption><b>Table " +
+           std::to_string(number) + ".</b> " + what + "</caption>";
 }
 
 } // namespace

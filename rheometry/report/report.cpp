@@ -62,8 +62,7 @@ std::string lead_paragraph(const ReportInput& input) {
     std::string fluid =
         input.fluid.model.empty() ? "a fluid" : "a " + fluid_phrase(input.fluid.model);
     std::string out = "Flow curve of " + escaped(fluid) + " in " +
-                      std::string{instrument_phrase(input.instrument)} +
-                      ", as the instrument would show it";
+                      std::string{instrument_phrase(input)} + ", as the instrument would show it";
     if (!input.protocol.empty()) {
         out += ": " + escaped(input.protocol);
     }
@@ -157,11 +156,12 @@ std::string render_report(const ReportInput& input) {
 
     Figure drawing;
     drawing.panels.push_back(geometry_drawing_for_page(input.instrument, is_periodic(input)));
-    drawing.caption = geometry::rotates(input.instrument)
-                          ? "The instrument. Orange: turns; grey: stands still; blue: fluid."
-                      : is_periodic(input)
-                          ? "The box, which stands for the bulk. Dashed: its images, which move."
-                          : "The instrument. Orange: moving wall; grey: fixed wall; blue: fluid.";
+    drawing.caption =
+        geometry::rotates(input.instrument)
+            ? "The instrument. Orange: turns; grey: stands still; blue: fluid."
+        : is_periodic(input)
+            ? "The box, which stands for the bulk. Above and below: its images, which move."
+            : "The instrument. Orange: moving wall; grey: fixed wall; blue: fluid.";
     body += "<h2>Instrument and fluid</h2>\n<div class=\"columns\"><div>\n";
     body += figure_html(drawing, ++figure);
     body += "</div><div>\n";
