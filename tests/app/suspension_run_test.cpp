@@ -123,6 +123,28 @@ TEST(SuspensionRun, an_interrupt_in_the_first_minute_loses_nothing_and_doubles_n
     EXPECT_NE(beside.err.find("--force replaces it"), std::string::npos) << beside.err;
 }
 
+TEST(SuspensionRun, figure_5_says_where_its_curves_differ_and_what_drag_alone_misses) {
+    // The case itself in a box of a fortieth, with a ramp of a tenth.
+    const TemporaryFolder folder;
+    const std::string source =
+        (std::filesystem::path(SEARLE_SOURCE_DIR) / "cases/suspension-zirconia.toml").string();
+    const Outcome outcome =
+        searle({"run", source, "-o", "out", "--set", "geometry.gap=\"15 um\"", "--set",
+                "geometry.length=\"15 um\"", "--set", "geometry.width=\"15 um\"", "--set",
+                "protocol.duration=\"10 ms\""},
+               folder.path());
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string summary = text_of(folder / "out/summary.json");
+    for (const char* words :
+         {"Stress at 180", "Where the runs differ at 180", "plain against water",
+          "dlvo against plain", "stresslet against dlvo", "How the curves steepen",
+          "viscosity from 90", "Drag alone carries no stress of rigid spheres", "+11.70"}) {
+        EXPECT_NE(summary.find(words), std::string::npos) << words;
+    }
+    EXPECT_NE(text_of(folder / "out/report.html").find("Stress of the particles"),
+              std::string::npos);
+}
+
 TEST(SuspensionRun, a_trajectory_without_particles_is_refused) {
     const TemporaryFolder folder;
     write_text(folder / "case.toml", small_case.substr(0, small_case.find("[particles]")) +
