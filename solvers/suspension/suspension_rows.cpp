@@ -66,6 +66,8 @@ rheometry::TorqueRow finished(const rheometry::SuspensionStress& stress, double 
     return row;
 }
 
+/// Share of a piece's largest rate below which samples do not count for its scatter.
+constexpr double slowest_of_piece = 0.1;
 /// A statistical error below this share of the stress needs no note.
 constexpr double negligible_scatter = 0.01;
 
@@ -126,6 +128,53 @@ rheometry::TorqueRow row_of_ramp(std::span<const StressSample> samples, bool wal
                 series_of(samples, [&](const StressSample& s) { return total_of(s, walls); }),
                 time));
     return finished(stress, time, wall_area, claimed);
+}
+
+void widen_by_piece(std::span<const StressSample> piece, bool walls, std::size_t samples_per_row,
+                    std::span<rheometry::TorqueRow> rows) {
+    double fastest = 0.0;
+    for (const StressSample& sample : piece)
+        fastest = std::max(fastest, std::abs(sample.shear_rate));
+    std::vector<double> times;
+    std::vector<double> excess;
+    for (const StressSample& sample : piece) {
+        // Near rest the ratio is noise over next to nothing.
+        if (std::abs(sample.shear_rate) < slowest_of_piece * fastest || fastest == 0.0)
+            continue;
+        const StressParts& bulk = sample.bulk;
+        times.push_back(sample.time);
+        // Between walls the stresslets follow the fluid's start and are no scatter.
+        excess.push_back(
+            (bulk.contact + bulk.colloid + bulk.brownian + (walls ? 0.0 : bulk.hydrodynamic)) /
+            sample.shear_rate);
+    }
+    const std::size_t few = 4;
+    const std::size_t window = times.size() >= few * samples_per_row ? samples_per_row : 1;
+    const std::size_t windows = times.size() / window;
+    if (windows < few)
+        return;
+    double squares = 0.0;
+    for (std::size_t k = 0; k < windows; ++k) {
+        const double at = plain_mean(std::span(times).subspan(k * window, window));
+        const double off = plain_mean(std::span(excess).subspan(k * window, window)) -
+                           value_on_line(times, excess, at);
+        squares += off * off;
+    }
+    const double scatter = squares / static_cast<double>(windows - 2);
+    for (rheometry::TorqueRow& row : rows) {
+        const SeriesEstimate line = line_at(times, excess, row.time);
+        if (!std::isfinite(line.error))
+            continue;
+        // The rate of the row: the fluid's own bulk stress is proportional to it.
+        const StressSample& near = *std::ranges::min_element(
+            piece, {}, [&](const StressSample& s) { return std::abs(s.time - row.time); });
+        const double slow =
+            std::abs(near.shear_rate) * std::sqrt(scatter + line.error * line.error);
+        double& error = row.suspension->statistical_error;
+        if (!(slow <= error))
+            row.suspension->independent_values = line.independent;
+        error = std::hypot(std::isfinite(error) ? error : 0.0, slow);
+    }
 }
 
 std::string note_on_scatter(std::span<const rheometry::TorqueRow> rows, double accuracy) {

@@ -165,6 +165,8 @@ public:
             tell(failure, report);
         }
         finish_all();
+        if (!holds)
+            widen(history, ends, report);
     }
 
     /// Each speed until its statistical error is small enough.
@@ -269,6 +271,24 @@ private:
         report.solution.reached = false;
         report.failure = failure.what();
         report.solution.notes.push_back(fmt::format("The run stopped: {}.", failure.what()));
+    }
+
+    /// Each piece's rows by what all of its samples tell.
+    void widen(const rheometry::SpeedHistory& history, const std::vector<std::size_t>& ends,
+               SuspensionReport& report) const {
+        auto& rows = report.solution.history.rows;
+        std::size_t first = 0;
+        for (std::size_t last = 0; last < rows.size(); ++last) {
+            const bool goes_on =
+                last + 1 < rows.size() &&
+                same_piece(history, history.row_times[last], history.row_times[last + 1]);
+            if (goes_on)
+                continue;
+            const std::size_t begin = first == 0 ? 0 : ends[first - 1];
+            widen_by_piece(std::span(samples_).subspan(begin, ends[last] - begin), walls_,
+                           samples_per_ramp_row, std::span(rows).subspan(first, last + 1 - first));
+            first = last + 1;
+        }
     }
 
     static bool same_piece(const rheometry::SpeedHistory& history, double one, double other) {

@@ -1,5 +1,6 @@
 #include "solvers/suspension/inertial_motion.hpp"
 #include "solvers/suspension/suspension_rows.hpp"
+#include "solvers/suspension/suspension_solver.hpp"
 #include "suspension_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -58,6 +59,50 @@ TEST(ScatterOfSeeds, errors_of_short_runs_are_as_large_as_seeds_differ) {
     // Each says that it is too short.
     for (const auto& run : runs)
         EXPECT_LT(run.independent_values, 6.0);
+}
+
+/// The ramp of the paper's Figure 5 with plain particles, in a box of ninety spheres.
+rheometry::TorqueHistory ramp(std::int64_t seed) {
+    Scene scene;
+    scene.instrument = geometry::Box{.gap = 15e-6, .length = 15e-6, .width = 15e-6};
+    scene.fluid = {laws::flow::Newtonian{testing::water_viscosity}, testing::water_density};
+    scene.protocol.program = rheometry::Ramp{.to = {180.0}, .duration = 0.01, .points = 10};
+    scene.conversion.definition = rheometry::default_definition(scene.instrument);
+    scene.conversion.end_factor = 1.0;
+    scene.solver.accuracy = 1e-2;
+    ParticleSettings settings;
+    settings.diameter = 1.5e-6;
+    settings.density = 5700.0;
+    settings.volume_fraction = 0.0468;
+    settings.hydrodynamics = Hydrodynamics::drag;
+    settings.contact.emplace();
+    settings.contact->stiffness = 1e-2;
+    settings.seed = seed;
+    scene.particles = settings;
+    return solve_suspension(scene, make_plan(scene), {}).solution.history;
+}
+
+TEST(ScatterOfSeeds, errors_of_a_ramp_are_as_large_as_packings_differ) {
+    constexpr int seeds = 10;
+    std::vector<rheometry::TorqueHistory> runs;
+    for (int seed = 1; seed <= seeds; ++seed)
+        runs.push_back(ramp(seed));
+    for (const std::size_t row : {3U, 5U, 7U, 9U}) {
+        double mean = 0.0;
+        for (const auto& run : runs)
+            mean += run.rows[row].suspension->total() / seeds;
+        double spread = 0.0;
+        double claimed = 0.0;
+        for (const auto& run : runs) {
+            const auto& stress = *run.rows[row].suspension;
+            spread += (stress.total() - mean) * (stress.total() - mean) / (seeds - 1);
+            claimed += stress.statistical_error * stress.statistical_error / seeds;
+        }
+        // The spread of ten has a standard error of 24 %, the contacts of ninety spheres are rare
+        // events; without the scatter of the whole ramp the ratio is 0.01 to 0.1.
+        EXPECT_GT(std::sqrt(claimed / spread), 0.5) << "row " << row;
+        EXPECT_LT(std::sqrt(claimed / spread), 3.0) << "row " << row;
+    }
 }
 
 } // namespace
