@@ -158,7 +158,15 @@ std::vector<std::string> warnings_of(const SolvedCase& solved) {
     std::vector<std::string> warnings = solved.plan.warnings;
     const auto& notes = solved.solution.notes;
     warnings.insert(warnings.end(), notes.begin(), notes.end());
-    if (solved.solution.interrupted)
+    const bool has_all_points = solved.rheogram.points.size() == solved.plan.rows.size();
+    if (solved.solution.interrupted && has_all_points)
+        warnings.push_back(
+            fmt::format("Interrupted: every point is there, but not with the asked "
+                        "accuracy of {:.3g} %; the largest estimated error is {:.3g} "
+                        "%.",
+                        100.0 * solved.source.scene.solver.accuracy,
+                        100.0 * solved.solution.worst_relative_error));
+    else if (solved.solution.interrupted)
         warnings.push_back(fmt::format("Interrupted: {} of {} points were finished.",
                                        solved.rheogram.points.size(), solved.plan.rows.size()));
     else if (!solved.solution.reached)

@@ -37,4 +37,12 @@ TEST(SolvedCase, an_interrupt_comes_before_an_accuracy_that_was_not_reached) {
     EXPECT_EQ(warnings_of(solved).back(), "Interrupted: 2 of 4 points were finished.");
 }
 
+TEST(SolvedCase, an_interrupt_after_the_last_point_does_not_pass_for_a_whole_run) {
+    SolvedCase solved = solved_with(false, true);
+    solved.rheogram.points.resize(solved.plan.rows.size());
+    EXPECT_EQ(warnings_of(solved).back(),
+              "Interrupted: every point is there, but not with the asked accuracy of 0.1 %; the "
+              "largest estimated error is 2 %.");
+}
+
 } // namespace
