@@ -103,6 +103,12 @@ void check_output(const CaseAsWritten& written, Findings& findings) {
                                "fields = true beside field_rows");
 }
 
+void check_trajectory(const CaseAsWritten& written, Findings& findings) {
+    if (written.output.trajectory_strain && !written.particles)
+        findings.contradiction({"output.trajectory_strain"}, "there are no particles to follow",
+                               "a section [particles] beside it");
+}
+
 void check_suspension(const CaseAsWritten& written, Findings& findings) {
     if (written.coupling && !written.particles)
         findings.contradiction({"coupling"}, "there are no [particles] to couple the fluid with",
@@ -121,6 +127,7 @@ void add_case_checks(casefile::Keys<CaseAsWritten>& keys) {
     keys.check(check_solver);
     keys.check(check_openfoam);
     keys.check(check_output);
+    keys.check(check_trajectory);
     keys.check(check_suspension);
 }
 

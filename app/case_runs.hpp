@@ -19,6 +19,8 @@ struct SolvedRuns {
     std::vector<SolvedCase> solved; ///< those with a finished row, in order
     std::vector<std::string>
         failures; ///< of runs that OpenFOAM ended without a row, a sentence each
+    /// After an interruption: the checkpoints that the same command goes on from.
+    std::vector<std::filesystem::path> checkpoints;
 };
 
 /// Solves case after case until one was interrupted. Each is kept safe beside the result folder: a

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using solvers::suspension::Checkpoint;
 
-constexpr int format = 3;
+constexpr int format = 4;
 constexpr const char* checksum_column = "checksum";
 
 std::string identity(const std::string& case_hash) {
@@ -109,25 +109,30 @@ std::optional<Checkpoint> read_checkpoint(const fs::path& file, const std::strin
     return checkpoint;
 }
 
-CheckpointKeeper::CheckpointKeeper(fs::path file, std::string case_hash, bool anew)
+CheckpointKeeper::CheckpointKeeper(fs::path file, std::string case_hash, bool anew,
+                                   bool keep_finished)
     : file_(std::move(file)), case_hash_(std::move(case_hash)) {
+    checkpointing_.keep_finished = keep_finished;
     try {
         checkpointing_.start = read_checkpoint(file_, case_hash_);
     } catch (const CheckpointError&) {
         if (!anew)
             throw;
     }
-    checkpointing_.offer = [this](const std::function<Checkpoint()>& make) {
-        const auto now = std::chrono::steady_clock::now();
-        if (std::chrono::duration<double>(now - last_).count() < checkpoint_interval)
-            return;
-        last_ = now;
+    checkpointing_.keep = [this](const std::function<Checkpoint()>& make) {
+        last_ = std::chrono::steady_clock::now();
         try {
             write_checkpoint(file_, make(), case_hash_);
             trouble_.clear();
         } catch (const CheckpointError& error) {
             trouble_ = error.what();
         }
+    };
+    checkpointing_.offer = [this](const std::function<Checkpoint()>& make) {
+        const auto now = std::chrono::steady_clock::now();
+        if (std::chrono::duration<double>(now - last_).count() < checkpoint_interval)
+            return;
+        checkpointing_.keep(make);
     };
 }
 

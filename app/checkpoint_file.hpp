@@ -28,7 +28,12 @@ read_checkpoint(const std::filesystem::path& file, const std::string& case_hash)
 class CheckpointKeeper {
 public:
     /// @param anew what is there is left aside, whatever it is
-    CheckpointKeeper(std::filesystem::path file, std::string case_hash, bool anew);
+    /// @param keep_finished also save a run that is finished: of a sweep
+    CheckpointKeeper(std::filesystem::path file, std::string case_hash, bool anew,
+                     bool keep_finished = false);
+    // The functions that the run calls hold on to this.
+    CheckpointKeeper(const CheckpointKeeper&) = delete;
+    CheckpointKeeper& operator=(const CheckpointKeeper&) = delete;
 
     [[nodiscard]] const solvers::suspension::Checkpointing& checkpointing() const {
         return checkpointing_;

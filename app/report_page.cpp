@@ -4,7 +4,9 @@
 #include "app/protocol_phrase.hpp"
 #include "geometry/mesh_error.hpp"
 #include "rheometry/report/describe_fluid.hpp"
+#include "rheometry/report/particle_stress.hpp"
 #include "rheometry/report/report.hpp"
+#include "solvers/suspension/suspension_plan.hpp"
 
 #include <fmt/format.h>
 
@@ -26,6 +28,16 @@ rheometry::Conversion conversion_of(const Case& source) {
 
 report::FluidDescription fluid_of(const Case& source) {
     return report::describe_fluid(source.scene.fluid.law, source.scene.fluid.density);
+}
+
+std::optional<report::ParticlesNote> particles_of(const Case& source) {
+    using namespace solvers::suspension;
+    if (!source.scene.particles)
+        return std::nullopt;
+    const ParticleSettings settings = choose(source.scene).settings;
+    return report::ParticlesNote{.volume_fraction = settings.volume_fraction,
+                                 .walls = settings.boundary == ParticleBoundary::walls,
+                                 .carries_stress = settings.hydrodynamics != Hydrodynamics::drag};
 }
 
 report::Provenance provenance_of(const RunSummary& summary) {
@@ -52,14 +64,24 @@ std::optional<report::VortexOnset> onset_of(const RunSummary& summary) {
                                .basis = taylor.basis};
 }
 
-std::vector<report::Fact> facts_of(const RunSummary& summary) {
+std::vector<report::Fact> facts_of(const RunSummary& summary,
+                                   const std::optional<report::ParticlesNote>& particles) {
     const SolverNote& solver = summary.solver;
     std::vector<report::Fact> facts{
         {"status", std::string(name_of(summary.completeness))},
         {"points", fmt::format("{} of {}", summary.rows, summary.rows_asked)},
         {"largest estimated error",
          fmt::format("{:.2g} of the stress", solver.worst_relative_error)}};
-    if (summary.transient) {
+    if (particles) {
+        facts.push_back({"particle steps", fmt::format("{}", solver.time_steps)});
+        if (particles->walls) {
+            facts.push_back({"cells across the gap", fmt::format("{}", solver.elements)});
+            facts.push_back({"wall against bulk stress",
+                             fmt::format("differ by up to {:.2g} of the stress, inertia and "
+                                         "scatter included",
+                                         solver.worst_torque_imbalance)});
+        }
+    } else if (summary.transient) {
         facts.push_back(
             {solver.model == "axisymmetric" ? "elements of the section" : "elements across the gap",
              fmt::format("{}", solver.elements)});
@@ -102,13 +124,14 @@ std::string report_page(const RunRecord& record) {
         .validity = {},
         .vortex_onset = onset_of(summary),
         .warnings = summary.warnings,
-        .remarks = {},
+        .remarks = summary.remarks,
         .timings = {},
-        .solver_facts = facts_of(summary),
+        .solver_facts = facts_of(summary, particles_of(record.source)),
         .mesh = mesh_of(record),
         .measured = {},
         .compared_with = {},
         .csv = record.csv.size() <= largest_embedded_csv ? record.csv : "",
+        .particles = particles_of(record.source),
         .ends = record.ends,
         .fields = record.fields};
     for (const PlanNote& note : summary.plan)
@@ -118,7 +141,17 @@ std::string report_page(const RunRecord& record) {
     return report::render_report(input);
 }
 
-std::string overlay_page(const SweepSummary& summary, const std::vector<RunRecord>& records) {
+std::vector<std::string> remarks_on(const RunRecord& record) {
+    const auto particles = particles_of(record.source);
+    return particles ? report::particle_remarks(*particles, record.rheogram,
+                                                fluid_of(record.source).true_stress)
+                     : std::vector<std::string>{};
+}
+
+namespace {
+
+report::OverlayInput overlay_of(const SweepSummary& summary,
+                                const std::vector<RunRecord>& records) {
     const auto version = summary.versions.find("searle");
     report::OverlayInput input{
         .title = summary.title,
@@ -133,7 +166,7 @@ std::string overlay_page(const SweepSummary& summary, const std::vector<RunRecor
         .runs = {},
         .measured = {},
         .warnings = summary.warnings,
-        .remarks = {}};
+        .remarks = summary.remarks};
     for (std::size_t i = 0; i < records.size(); ++i) {
         const SweepRun& run = summary.runs.at(i);
         const RunRecord& record = records[i];
@@ -146,9 +179,21 @@ std::string overlay_page(const SweepSummary& summary, const std::vector<RunRecor
                               .transient = record.summary.transient,
                               .accuracy = record.source.scene.solver.accuracy,
                               .wall_seconds = run.wall_seconds,
-                              .warnings = record.summary.warnings});
+                              .warnings = record.summary.warnings,
+                              .particles = particles_of(record.source)});
     }
-    return report::render_overlay(input);
+    return input;
+}
+
+} // namespace
+
+std::vector<std::string> remarks_on(const SweepSummary& summary,
+                                    const std::vector<RunRecord>& records) {
+    return report::particle_remarks(overlay_of(summary, records));
+}
+
+std::string overlay_page(const SweepSummary& summary, const std::vector<RunRecord>& records) {
+    return report::render_overlay(overlay_of(summary, records));
 }
 
 } // namespace searle::app

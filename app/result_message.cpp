@@ -32,6 +32,13 @@ std::string warning_lines(const std::vector<std::string>& warnings) {
     return text;
 }
 
+std::string remark_lines(const std::vector<std::string>& remarks) {
+    std::string text;
+    for (const std::string& remark : remarks)
+        text += fmt::format("  {}\n", remark);
+    return text;
+}
+
 std::string largest_error(const RunSummary& summary) {
     return fmt::format("{:.2g} % of the stress ({:.2g} % asked), {:.2g} Pa",
                        100.0 * summary.solver.worst_relative_error,
@@ -43,11 +50,12 @@ std::string largest_error(const RunSummary& summary) {
 std::string result_message(const RunRecord& record, const std::filesystem::path& folder) {
     const RunSummary& summary = record.summary;
     const std::string& title = summary.title.empty() ? summary.origin.name : summary.title;
-    return fmt::format("{}: {} points, {}\n  regimes: {}\n  largest error: {}\n  last point: {}\n{}"
-                       "  results: {}\n",
-                       title, summary.rows, summary.solver.model, regime_counts(summary),
-                       largest_error(summary), last_point(record), warning_lines(summary.warnings),
-                       (folder / "report.html").string());
+    return fmt::format(
+        "{}: {} points, {}\n  regimes: {}\n  largest error: {}\n  last point: {}\n{}{}"
+        "  results: {}\n",
+        title, summary.rows, summary.solver.model, regime_counts(summary), largest_error(summary),
+        last_point(record), remark_lines(summary.remarks), warning_lines(summary.warnings),
+        (folder / "report.html").string());
 }
 
 std::string result_message(const SweepRecord& record, const std::filesystem::path& folder) {
@@ -59,6 +67,7 @@ std::string result_message(const SweepRecord& record, const std::filesystem::pat
     for (const RunRecord& run : record.runs)
         text += fmt::format("  {:<{}}  {} points ({}); last: {}\n", run.source.name, width,
                             run.summary.rows, regime_counts(run.summary), last_point(run));
+    text += remark_lines(summary.remarks);
     text += warning_lines(summary.warnings);
     long with_warnings =
         std::count_if(record.runs.begin(), record.runs.end(),

@@ -2,6 +2,7 @@
 
 #include "app/field_files.hpp"
 #include "app/run_summary.hpp"
+#include "app/structure_files.hpp"
 #include "rheometry/rheogram_csv.hpp"
 
 #include <algorithm>
@@ -27,12 +28,20 @@ std::string csv_of(const SolvedCase& solved) {
 } // namespace
 
 RunRecord record_of(const SolvedCase& solved, const std::string& created) {
-    return {.summary = run_summary(solved, created),
-            .source = solved.source,
-            .rheogram = solved.rheogram,
-            .csv = csv_of(solved),
-            .ends = solved.ends,
-            .fields = solved.solution.fields};
+    RunRecord record{.summary = run_summary(solved, created),
+                     .source = solved.source,
+                     .rheogram = solved.rheogram,
+                     .csv = csv_of(solved),
+                     .ends = solved.ends,
+                     .fields = solved.solution.fields,
+                     .structure = structure_files(
+                         solved.structure, solved.rheogram.points.size(),
+                         static_cast<std::size_t>(solved.source.scene.output.field_rows))};
+    for (const ResultFile& file : record.structure)
+        record.summary.files.push_back(file.name);
+    std::ranges::sort(record.summary.files);
+    record.summary.remarks = remarks_on(record);
+    return record;
 }
 
 std::vector<ResultFile> files_of(const RunRecord& record, const std::string& prefix) {
@@ -44,6 +53,8 @@ std::vector<ResultFile> files_of(const RunRecord& record, const std::string& pre
         files.push_back({prefix + "end_factor.csv", rheometry::end_effect_csv(record.ends)});
     for (ResultFile& file : field_files(record.fields))
         files.push_back({prefix + file.name, std::move(file.content)});
+    for (const ResultFile& file : record.structure)
+        files.push_back({prefix + file.name, file.content});
     return files;
 }
 

@@ -87,6 +87,7 @@ RunSummary run_summary(const SolvedCase& solved, const std::string& created) {
         .regimes = {},
         .plan = {},
         .warnings = warnings_of(solved),
+        .remarks = {},
         .timings = solved.clock.stages(),
         .files = {"case.toml", "report.html", "rheogram.csv", "summary.json"}};
     if (solved.division)

@@ -86,6 +86,7 @@ SolvedCase unsolved(PlannedCase planned) {
             .conversion = {},
             .rheogram = {},
             .ends = {},
+            .structure = {},
             .clock = std::move(planned.clock)};
 }
 
@@ -133,9 +134,10 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
             scene, solved.plan, keeping.engine_folder, installation_for(solved.source), progress);
         end_factors = end_factors_of(solved);
     } else if (scene.particles) {
-        solved.solution = solvers::suspension::solve_suspension(scene, solved.plan, progress,
-                                                                keeping.checkpointing)
-                              .solution;
+        solvers::suspension::SuspensionReport report = solvers::suspension::solve_suspension(
+            scene, solved.plan, progress, keeping.checkpointing, keeping.frames);
+        solved.solution = std::move(report.solution);
+        solved.structure = std::move(report.structure);
     } else if (solved.plan.vortices) {
         solved.solution = solvers::meridional::solve_with_vortices(scene, solved.plan, progress);
     } else if (solved.plan.model == "axisymmetric") {

@@ -12,8 +12,10 @@
 #include "solvers/progress.hpp"
 #include "solvers/radial/radial_solver.hpp"
 #include "solvers/suspension/checkpoint.hpp"
+#include "solvers/suspension/run_recorder.hpp"
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -43,6 +45,7 @@ struct PlannedCase {
 /// Where a run leaves what it can go on from.
 struct RunKeeping {
     solvers::suspension::Checkpointing checkpointing; ///< of a suspension
+    solvers::suspension::FrameSink frames{};          ///< of a suspension: its trajectory
     std::filesystem::path engine_folder;              ///< of engine = "openfoam": its cases
 };
 
@@ -56,6 +59,8 @@ struct SolvedCase {
     rheometry::Rheogram rheogram;
     /// Where the instrument's ends were solved: those of the rows that turn.
     std::vector<rheometry::EndEffect> ends;
+    /// Of a suspension with output.fields, by row.
+    std::map<std::size_t, solvers::suspension::Microstructure> structure;
     StageClock clock;
 };
 

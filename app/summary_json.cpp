@@ -187,6 +187,7 @@ std::string summary_json(const RunSummary& summary) {
     for (const PlanNote& note : summary.plan)
         json["plan"].push_back(to_json(note));
     json["warnings"] = summary.warnings;
+    json["remarks"] = summary.remarks;
     json["timings"] = Json::array();
     for (const StageSeconds& stage : summary.timings)
         json["timings"].push_back(to_json(stage));
@@ -208,6 +209,7 @@ std::string summary_json(const SweepSummary& summary) {
                                 {"rows", run.rows},
                                 {"wall_s", run.wall_seconds}});
     json["warnings"] = summary.warnings;
+    json["remarks"] = summary.remarks;
     json["files"] = summary.files;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
@@ -241,6 +243,7 @@ RunSummary read_run_summary(std::string_view text) {
                            .regimes = wholes<long>(json.at("regimes")),
                            .plan = {},
                            .warnings = json.at("warnings"),
+                           .remarks = json.value("remarks", std::vector<std::string>{}),
                            .timings = {},
                            .files = json.at("files")};
         if (const Json mesh = json.value("mesh", Json()); !mesh.is_null())
@@ -280,6 +283,7 @@ SweepSummary read_sweep_summary(std::string_view text) {
                              .swept_keys = json.at("swept_keys"),
                              .runs = {},
                              .warnings = json.at("warnings"),
+                             .remarks = json.value("remarks", std::vector<std::string>{}),
                              .files = json.at("files")};
         for (const Json& run : json.at("runs"))
             summary.runs.push_back({.name = folder_name(run.at("name")),

@@ -99,6 +99,7 @@ struct RunSummary {
     std::map<std::string, long> regimes; ///< rows by regime
     std::vector<PlanNote> plan;
     std::vector<std::string> warnings;
+    std::vector<std::string> remarks; ///< what the result says of particles
     std::vector<StageSeconds> timings;
     std::vector<std::string> files; ///< of the result folder, this one included
 };
@@ -123,7 +124,8 @@ struct SweepSummary {
     std::vector<std::string> swept_keys;
     std::vector<SweepRun> runs; ///< those that were made, in the sweep's order
     std::vector<std::string> warnings;
-    std::vector<std::string> files; ///< of the whole folder, subfolders included
+    std::vector<std::string> remarks; ///< what the result says of particles
+    std::vector<std::string> files;   ///< of the whole folder, subfolders included
 };
 
 [[nodiscard]] std::string_view name_of(Completeness completeness);

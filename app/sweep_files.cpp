@@ -98,6 +98,7 @@ SweepRecord sweep_record(const std::vector<SolvedCase>& solved, const std::vecto
             summary.files.push_back(run.source.name + '/' + file);
         record.runs.push_back(std::move(run));
     }
+    summary.remarks = remarks_on(summary, record.runs);
     if (!failures.empty()) {
         summary.completeness = worse(summary.completeness, Completeness::not_reached);
         summary.warnings.insert(summary.warnings.end(), failures.begin(), failures.end());

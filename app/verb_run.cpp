@@ -55,6 +55,13 @@ void tell_shortfall(Completeness completeness, const fs::path& folder) {
         tell(fmt::format("searle: interrupted; what was finished: {}\n", folder.string()));
 }
 
+/// How to go on with an interrupted suspension, whose finished rows are written.
+void tell_continuation(const SolvedRuns& runs) {
+    if (!runs.checkpoints.empty())
+        tell(fmt::format("searle: the same command with --force goes on from {}\n",
+                         runs.checkpoints.back().string()));
+}
+
 /// Writes OpenFOAM's cases without running them.
 int write_cases(const std::vector<Case>& cases, const RunOptions& options) {
     for (const Case& each : cases) {
@@ -106,26 +113,34 @@ int run(const RunOptions& options) {
     if (solved.empty() && !runs.failures.empty())
         throw solvers::openfoam::OpenFoamFailed(runs.failures.front());
     if (solved.empty()) {
-        tell("searle: interrupted before the first point; nothing was written\n");
+        tell(runs.checkpoints.empty()
+                 ? "searle: interrupted before the first point; nothing was written\n"
+                 : fmt::format("searle: interrupted before the first point; the same command goes "
+                               "on from {}\n",
+                               runs.checkpoints.back().string()));
         return ExitCode::interrupted;
     }
     if (cases.size() == 1) {
         const RunRecord record = record_of(solved.front(), present_time());
         write_result_folder(folder, files_of(record, ""), options.replace);
-        remove_checkpoints(solved, place, false);
+        if (runs.checkpoints.empty())
+            remove_checkpoints(solved, place, false);
         if (!options.quiet)
             tell(result_message(record, folder));
         else
             tell_shortfall(record.summary.completeness, folder);
+        tell_continuation(runs);
         return exit_code_for(record.summary.completeness);
     }
     const SweepRecord record = sweep_record(solved, cases, present_time(), runs.failures);
     write_result_folder(folder, files_of(record), options.replace);
-    remove_checkpoints(solved, place, true);
+    if (runs.checkpoints.empty())
+        remove_checkpoints(solved, place, true);
     if (!options.quiet)
         tell(result_message(record, folder));
     else
         tell_shortfall(record.summary.completeness, folder);
+    tell_continuation(runs);
     return exit_code_for(record.summary.completeness);
 }
 

@@ -54,7 +54,9 @@ constexpr std::array suspension_columns{
                      &SuspensionStress::first_normal_difference},
     SuspensionColumn{"second_normal_stress_difference_Pa",
                      &SuspensionStress::second_normal_difference},
-    SuspensionColumn{"particle_pressure_Pa", &SuspensionStress::particle_pressure}};
+    SuspensionColumn{"particle_pressure_Pa", &SuspensionStress::particle_pressure},
+    SuspensionColumn{"contact_number", &SuspensionStress::contact_number},
+    SuspensionColumn{"independent_values", &SuspensionStress::independent_values}};
 
 bool is_suspension(const Rheogram& rheogram) {
     return !rheogram.points.empty() && rheogram.points.front().suspension.has_value();

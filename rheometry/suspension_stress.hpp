@@ -11,7 +11,10 @@ struct SuspensionStress {
     double contact{};
     double dlvo{};
     double brownian{};
-    double statistical_error{}; ///< standard error of the row's stress, >= 0
+    /// Of the row's stress, >= 0: one standard error of a long average; of a short one larger, so
+    /// that twice it still holds the truth with 95 %.
+    double statistical_error{};
+    double independent_values{}; ///< how many uncorrelated values would tell as much, >= 0
     double bulk_fluid{};
     double bulk_hydrodynamic{};
     double bulk_contact{};
@@ -20,6 +23,7 @@ struct SuspensionStress {
     double first_normal_difference{};  ///< sigma_xx - sigma_yy of the particles
     double second_normal_difference{}; ///< sigma_yy - sigma_zz of the particles
     double particle_pressure{};
+    double contact_number{}; ///< touching partners of a particle, walls included
 
     [[nodiscard]] double total() const { return fluid + hydrodynamic + contact + dlvo + brownian; }
     [[nodiscard]] double bulk_total() const {

@@ -56,6 +56,8 @@ struct OutputSettings {
     bool fields = false;
     /// Rows whose fields are written, evenly spread, >= 1.
     int field_rows = 5;
+    /// Of a suspension: strain from frame to frame of its trajectory, > 0; without a value none.
+    std::optional<double> trajectory_strain;
 };
 
 /// Everything that a case file says, in SI units, valid as checked by the case reader.

@@ -130,7 +130,8 @@ casefile::Keys<OutputSettings> output_keys() {
     keys.key("fields", &OutputSettings::fields)
         .is_boolean()
         .example("false")
-        .says("Write the flow in the section to fields/ (.vtu), and draw it in the report.");
+        .says("Write the flow in the section to fields/ (.vtu), and draw it in the report; of a "
+              "suspension its microstructure (.csv).");
     keys.key("field_rows", &OutputSettings::field_rows)
         .is_integer()
         .at_least("1")
@@ -138,6 +139,14 @@ casefile::Keys<OutputSettings> output_keys() {
         .example("5")
         .not_in_new()
         .says("With fields = true: for how many rows, evenly spread, the last included.");
+    keys.key("trajectory_strain", &OutputSettings::trajectory_strain)
+        .is_number()
+        .above("0")
+        .at_most("1000")
+        .example("0.1")
+        .not_in_new()
+        .says("Of a suspension: strain from frame to frame of the trajectory, which is written "
+              "beside the result folder (.vtp, for ParaView and OVITO); without it none.");
     return keys;
 }
 

@@ -90,6 +90,7 @@ std::vector<double> judged(const RandomCase& scene, double limit) {
                            throw solvers::Interrupted();
                    },
                    {.checkpointing = {},
+                    .frames = {},
                     .engine_folder = scratch ? scratch->folder() : std::filesystem::path()});
     const double taken = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     if (taken > limit)

@@ -81,8 +81,8 @@ const std::vector<SuiteOnly>& suite_only() {
          "tests/suspension/overdamped_motion_test.cpp",
          "OverdampedMotion.dense_spheres_have_lf_dems_viscosity"},
         {"statistical errors", "scatter of correlated means",
-         "tests/suspension/block_statistics_test.cpp",
-         "BlockStatistics.standard_error_covers_the_scatter_of_correlated_means"}};
+         "tests/suspension/correlated_series_test.cpp",
+         "CorrelatedSeries.errors_hold_the_truth_down_to_four_correlation_times"}};
     return rows;
 }
 

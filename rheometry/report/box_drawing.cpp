@@ -9,7 +9,7 @@
 
 namespace searle::rheometry::report {
 
-Drafting draw_box(const geometry::Box& instrument) {
+Drafting draw_box(const geometry::Box& instrument, bool periodic) {
     constexpr double drawing_width = 480.0;
     constexpr double most_length = 250.0;
     constexpr double most_height = 200.0;
@@ -50,6 +50,10 @@ Drafting draw_box(const geometry::Box& instrument) {
                                          {right + depth, top - depth + plate},
                                          {right, top + plate},
                                          {left, top + plate}}};
+        if (periodic) {
+            drawing.path(path_through(body, true), "dimension");
+            return;
+        }
         drawing.path(path_through(body, true), "paper");
         drawing.region(body, material);
         drawing.outline(body, true);
@@ -86,12 +90,14 @@ Drafting draw_box(const geometry::Box& instrument) {
     drawing.line({speed_x, speed_y}, {speed_x + 80.0, speed_y}, "velocity");
     drawing.arrow_head({speed_x + 80.0, speed_y}, 0.0, "velocity-head");
     drawing.text({speed_x + 88.0, speed_y + 4.0},
-                 RichText{"moving wall, "}.italic("U").upright(" and force ").italic("F"));
+                 periodic
+                     ? RichText{"the image above moves with "}.italic("U")
+                     : RichText{"moving wall, "}.italic("U").upright(" and force ").italic("F"));
     constexpr double wall_label = 64.0;
     drawing.leader({right + 0.9 * depth, front_bottom - 0.9 * depth + 0.5 * plate},
                    {std::min(right + depth + 16.0, drawing_width - 6.0 - wall_label),
                     front_bottom - depth - 0.25 * gap},
-                   RichText{"fixed wall"});
+                   RichText{periodic ? "image below" : "fixed wall"});
 
     drawing.vertical_dimension({left, front_top}, {left, front_bottom}, left - 24.0,
                                length_text("h", "", instrument.gap));

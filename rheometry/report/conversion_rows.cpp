@@ -65,6 +65,13 @@ Formulas double_gap_formulas() {
 }
 
 Formulas formulas_of(const ReportInput& input) {
+    if (is_periodic(input)) {
+        return {
+            fraction("<i>F</i>", "<i>\u2113</i> <i>b</i> <i>c</i><sub>L</sub>"),
+            fraction("<i>U</i>", "<i>h</i>"),
+            "stress of the bulk (<i>F</i> is what it would be on the area of the top), speed of "
+            "the image above over gap"};
+    }
     if (std::holds_alternative<geometry::Box>(input.instrument)) {
         return {fraction("<i>F</i>", "<i>\u2113</i> <i>b</i> <i>c</i><sub>L</sub>"),
                 fraction("<i>U</i>", "<i>h</i>"), "force over area, speed over gap"};

@@ -1,6 +1,7 @@
 #include "rheometry/report/deviation.hpp"
 
 #include "rheometry/report/number_text.hpp"
+#include "rheometry/report/particle_stress.hpp"
 #include "rheometry/report/regime_shading.hpp"
 #include "rheometry/report/rich_text.hpp"
 
@@ -17,6 +18,7 @@ struct DeviationPoint {
     double total{};
     double inertia{};
     double definition{};
+    double particles{};
 };
 
 DeviationPoint deviation_of(const RheogramPoint& point, const StressOfRate& law) {
@@ -24,10 +26,15 @@ DeviationPoint deviation_of(const RheogramPoint& point, const StressOfRate& law)
     const double true_stress = std::copysign(law(std::abs(rate)), rate);
     const double undefined = std::numeric_limits<double>::quiet_NaN();
     if (rate == 0.0 || true_stress == 0.0) {
-        return {undefined, undefined, undefined};
+        return {undefined, undefined, undefined, undefined};
+    }
+    if (point.suspension) {
+        const ParticleShares shares = particle_shares(point, law);
+        const double particles = shares.whole - 1.0 - shares.inertia;
+        return {shares.whole - 1.0, shares.inertia, 0.0, particles};
     }
     return {point.shear_stress / true_stress - 1.0, point.shear_stress / point.steady_stress - 1.0,
-            point.steady_stress / true_stress - 1.0};
+            point.steady_stress / true_stress - 1.0, 0.0};
 }
 
 } // namespace
@@ -56,6 +63,7 @@ DeviationParts deviation_parts(const ReportInput& input) {
     for (const RheogramPoint& point : input.rheogram.points) {
         const DeviationPoint deviation = deviation_of(point, input.fluid.true_stress);
         parts.inertia = parts.inertia || (input.transient && std::abs(deviation.inertia) > visible);
+        parts.particles = parts.particles || std::abs(deviation.particles) > visible;
         parts.convention = parts.convention || std::abs(deviation.definition) > visible;
     }
     return parts;
@@ -82,17 +90,23 @@ Plot deviation_plot(const ReportInput& input, const CurveView& flow_view) {
     definition.name = RichText{"part of the convention"};
     definition.colour = 2;
     definition.stroke = Stroke::dotted;
+    Series particles;
+    particles.name = RichText{"part of the particles"};
+    particles.colour = 3;
+    particles.stroke = Stroke::dashed;
     for (const RheogramPoint& point : input.rheogram.points) {
         const DeviationPoint deviation = deviation_of(point, input.fluid.true_stress);
         const double rate = point.shear_rate * flow_view.x_unit.per_si;
         total.x.push_back(rate);
         total.y.push_back(percent * deviation.total);
-        total.error.push_back(percent * std::abs(point.stress_error / point.shear_stress) *
-                              (1.0 + deviation.total));
+        total.error.push_back(percent * (std::abs(point.stress_error) + scatter_of(point)) /
+                              std::abs(point.shear_stress) * (1.0 + deviation.total));
         inertia.x.push_back(rate);
         inertia.y.push_back(percent * deviation.inertia);
         definition.x.push_back(rate);
         definition.y.push_back(percent * deviation.definition);
+        particles.x.push_back(rate);
+        particles.y.push_back(percent * deviation.particles);
     }
     total.tip = [&input](std::size_t k) {
         const RheogramPoint& point = input.rheogram.points[k];
@@ -125,6 +139,9 @@ Plot deviation_plot(const ReportInput& input, const CurveView& flow_view) {
     const DeviationParts parts = deviation_parts(input);
     if (parts.inertia) {
         plot.series.push_back(std::move(inertia));
+    }
+    if (parts.particles) {
+        plot.series.push_back(std::move(particles));
     }
     if (parts.convention) {
         plot.series.push_back(std::move(definition));

@@ -16,14 +16,15 @@ struct Deviation {
 struct DeviationParts {
     bool inertia{};
     bool convention{};
+    bool particles{};
 };
 [[nodiscard]] DeviationParts deviation_parts(const ReportInput& input);
 
 /// True when the deviation exceeds the accuracy asked for.
 [[nodiscard]] bool deviation_matters(const ReportInput& input);
 
-/// Deviation over rate, with the parts of inertia and of the convention. The input must have a law
-/// and outlive the plot.
+/// Deviation over rate, with the parts of inertia, convention and particles. The input must have a
+/// law and outlive the plot.
 [[nodiscard]] Plot deviation_plot(const ReportInput& input, const CurveView& flow_view);
 
 } // namespace searle::rheometry::report

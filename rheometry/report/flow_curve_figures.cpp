@@ -186,7 +186,11 @@ Figure viscosity_figure(const ReportInput& input) {
                                     ", <i>\u03c4</i>/<i>\u03c4</i><sub>steady</sub> \u2212 1";
         const std::string convention =
             "the convention, which reads one rate and one stress from a gap that has many";
-        if (parts.inertia && parts.convention) {
+        if (parts.particles) {
+            caption += " It comes from the stress of the particles";
+            caption +=
+                parts.inertia ? " and, what the wall shows beyond the bulk, from inertia." : ".";
+        } else if (parts.inertia && parts.convention) {
             caption += " It has two parts: " + inertia + ", and " + convention + ".";
         } else if (parts.inertia || parts.convention) {
             caption += " It comes from " + (parts.inertia ? inertia : convention) + ".";

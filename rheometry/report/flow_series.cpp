@@ -198,7 +198,8 @@ Series law_series(const StressOfRate& law, double lowest_rate, double highest_ra
 Series inertia_free_series(const Rheogram& rheogram, const Conversion& conversion,
                            const CurveView& view) {
     Series series;
-    series.name = RichText{"without inertia"};
+    const bool particles = !rheogram.points.empty() && rheogram.points.front().suspension;
+    series.name = RichText{particles ? "the fluid alone, without inertia" : "without inertia"};
     series.colour = 1;
     series.stroke = Stroke::dashed;
     for (const RheogramPoint& point : rheogram.points) {

@@ -13,6 +13,8 @@ namespace searle::rheometry::report {
 [[nodiscard]] std::string geometry_drawing(const geometry::Instrument& instrument);
 
 /// The same as an <svg> element that needs figure_style() in the page; at most one a page.
-[[nodiscard]] std::string geometry_drawing_for_page(const geometry::Instrument& instrument);
+/// @param periodic  a box without walls, between images of itself
+[[nodiscard]] std::string geometry_drawing_for_page(const geometry::Instrument& instrument,
+                                                    bool periodic = false);
 
 } // namespace searle::rheometry::report

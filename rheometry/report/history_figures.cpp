@@ -57,14 +57,17 @@ Figure torque_figure(const ReportInput& input) {
     add_regimes(plot, input.rheogram, view, input.transient);
     FigureBuilder builder;
     builder.add(std::move(plot));
-    const std::string whole = rotates ? "Torque on the rotor of the whole instrument (360\u00b0), "
-                                      : "Force on the whole moving wall, ";
+    const std::string whole =
+        rotates              ? "Torque on the rotor of the whole instrument (360\u00b0), "
+        : is_periodic(input) ? "Shear stress of the bulk times the area of the box\u2019s top, "
+                             : "Force on the whole moving wall, ";
     if (!input.transient) {
         return builder.finish(whole + "over the speed of the drive; steady flow.");
     }
 
-    std::string caption = whole +
-                          "over time. Dashed: without inertia, the torque of the steady flow "
+    std::string caption = whole + "over time. Dashed: " +
+                          (input.particles ? "the steady flow of the fluid alone "
+                                           : "without inertia, the torque of the steady flow ") +
                           "at the speed of the moment.";
     if (!is_one_ramp(input.rheogram)) {
         const CurveView drive = view_of(input.rheogram, x, Quantity::shear_rate, rotates);

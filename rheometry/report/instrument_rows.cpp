@@ -37,6 +37,7 @@ private:
 
 struct Describe {
     RowWriter& out;
+    bool periodic; ///< a box without walls
 
     void operator()(const geometry::ConcentricCylinders& it) const {
         out.length("Bob radius", "<i>R</i><sub>bob</sub>", it.bob_radius, "geometry.bob_radius");
@@ -108,7 +109,7 @@ struct Describe {
         out.length("Length along the flow", "<i>\u2113</i>", it.length, "geometry.length");
         out.length("Width", "<i>b</i>", it.width, "geometry.width");
         const double area = it.wall_area();
-        out.add("Area of the moving wall", "<i>A</i>",
+        out.add(periodic ? "Area of the top" : "Area of the moving wall", "<i>A</i>",
                 area >= 1e-8 ? significant(area * 1e6, digits) + "\u00a0mm\u00b2"
                              : significant(area * 1e12, digits) + "\u00a0\u00b5m\u00b2");
     }
@@ -119,11 +120,13 @@ struct Describe {
 std::vector<PropertyRow> instrument_rows(const ReportInput& input) {
     RowWriter writer{input};
     writer.add("Type", "", std::string{geometry::name_of(input.instrument)}, "geometry.type");
-    std::visit(Describe{writer}, input.instrument);
+    std::visit(Describe{writer, is_periodic(input)}, input.instrument);
     return std::move(writer.rows);
 }
 
-std::string_view instrument_phrase(const geometry::Instrument& instrument) {
+std::string_view instrument_phrase(const ReportInput& input) {
+    if (is_periodic(input))
+        return "a box without walls";
     struct Phrase {
         std::string_view operator()(const geometry::ConcentricCylinders&) const {
             return "single-gap concentric cylinders";
@@ -136,7 +139,7 @@ std::string_view instrument_phrase(const geometry::Instrument& instrument) {
             return "a box with one moving wall";
         }
     };
-    return std::visit(Phrase{}, instrument);
+    return std::visit(Phrase{}, input.instrument);
 }
 
 } // namespace searle::rheometry::report

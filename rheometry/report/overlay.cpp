@@ -3,6 +3,7 @@
 #include "rheometry/report/flow_series.hpp"
 #include "rheometry/report/number_text.hpp"
 #include "rheometry/report/page.hpp"
+#include "rheometry/report/particle_stress.hpp"
 #include "rheometry/report/prose.hpp"
 #include "rheometry/report/quantity.hpp"
 #include "rheometry/report/report.hpp"
@@ -175,6 +176,11 @@ void add_runs(Plot& plot, const OverlayInput& input, const CurveView& view) {
     }
 }
 
+bool has_particles(const OverlayInput& input) {
+    return std::ranges::any_of(input.runs,
+                               [](const OverlayRun& run) { return run.particles.has_value(); });
+}
+
 Figure overlay_figure(const OverlayInput& input, Quantity y, const std::string& name) {
     const CurveView view = view_of_runs(input, y);
     std::vector<double> rates;
@@ -211,7 +217,8 @@ Figure overlay_figure(const OverlayInput& input, Quantity y, const std::string& 
     if (input.runs.size() > most_named_runs) {
         caption += " A run is named when one points at its line.";
     }
-    caption += " Dashed: the flow law. Bars: the solver\u2019s estimate of its numerical error.";
+    caption += " Dashed: the flow law. Bars: the solver\u2019s estimate of its numerical error";
+    caption += has_particles(input) ? ", and statistical scatter." : ".";
     return builder.finish(std::move(caption));
 }
 
@@ -302,6 +309,9 @@ std::string render_overlay(const OverlayInput& input) {
     body += figure_html(overlay_figure(input, Quantity::viscosity, "viscosity"), 1);
     body += figure_html(overlay_figure(input, Quantity::shear_stress, "stress"), 2);
     body += "</div>\n<h2>Runs</h2>\n" + run_table(input);
+    if (has_particles(input)) {
+        body += "<h2>Stress of the particles</h2>\n" + particle_table(input, 2);
+    }
     body += warnings_of_runs(input);
     body += page_footer(input.provenance);
     return page(title, body);

@@ -34,7 +34,7 @@ struct PropertyRow {
 [[nodiscard]] std::string source_note(const ReportInput& input, std::string_view key);
 
 /// "single gap", "DIN bob": an instrument's name in running text.
-[[nodiscard]] std::string_view instrument_phrase(const geometry::Instrument& instrument);
+[[nodiscard]] std::string_view instrument_phrase(const ReportInput& input);
 
 /// "Herschel–Bulkley fluid" for "herschel-bulkley".
 [[nodiscard]] std::string fluid_phrase(std::string_view model);

@@ -45,9 +45,14 @@ double value_of(const RheogramPoint& point, Quantity quantity) {
     return std::numeric_limits<double>::quiet_NaN();
 }
 
+double scatter_of(const RheogramPoint& point) {
+    const double scatter = point.suspension ? point.suspension->statistical_error : 0.0;
+    return std::isfinite(scatter) ? std::abs(scatter) : 0.0;
+}
+
 double error_of(const RheogramPoint& point, Quantity quantity, const Conversion& conversion) {
     const auto finite_or_zero = [](double value) { return std::isfinite(value) ? value : 0.0; };
-    const double error = finite_or_zero(std::abs(point.stress_error));
+    const double error = finite_or_zero(std::abs(point.stress_error)) + scatter_of(point);
     switch (quantity) {
     case Quantity::torque:
         return finite_or_zero(error / std::abs(conversion.stress_per_torque));
@@ -116,6 +121,9 @@ std::string point_tip(const RheogramPoint& point, bool rotates, bool has_time) {
     const double error = relative_error(point);
     if (std::isfinite(error)) {
         out += " \u00b1 " + relative_text(error);
+    }
+    if (scatter_of(point) > 0.0) {
+        out += ", scatter " + relative_text(scatter_of(point) / std::abs(point.shear_stress));
     }
     add(Quantity::viscosity);
     add(Quantity::torque);

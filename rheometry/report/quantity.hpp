@@ -24,7 +24,11 @@ struct QuantityLook {
 
 [[nodiscard]] double value_of(const RheogramPoint& point, Quantity quantity);
 
-/// The numerical error estimate of a quantity, SI, >= 0; 0 for what the drive prescribes.
+/// Statistical error of the shear stress, Pa, >= 0; 0 without particles, or where it is not known.
+[[nodiscard]] double scatter_of(const RheogramPoint& point);
+
+/// The numerical error estimate of a quantity and its scatter, SI, >= 0; 0 for what the drive
+/// prescribes.
 [[nodiscard]] double error_of(const RheogramPoint& point, Quantity quantity,
                               const Conversion& conversion);
 

@@ -11,6 +11,7 @@
 #include "rheometry/report/mesh_section.hpp"
 #include "rheometry/report/number_text.hpp"
 #include "rheometry/report/page.hpp"
+#include "rheometry/report/particle_stress.hpp"
 #include "rheometry/report/property_rows.hpp"
 #include "rheometry/report/rich_text.hpp"
 #include "rheometry/report/validity_section.hpp"
@@ -61,8 +62,7 @@ std::string lead_paragraph(const ReportInput& input) {
     std::string fluid =
         input.fluid.model.empty() ? "a fluid" : "a " + fluid_phrase(input.fluid.model);
     std::string out = "Flow curve of " + escaped(fluid) + " in " +
-                      std::string{instrument_phrase(input.instrument)} +
-                      ", as the instrument would show it";
+                      std::string{instrument_phrase(input)} + ", as the instrument would show it";
     if (!input.protocol.empty()) {
         out += ": " + escaped(input.protocol);
     }
@@ -71,6 +71,10 @@ std::string lead_paragraph(const ReportInput& input) {
         out += "Shear rates and stresses are those of the convention <b class=\"name\">" +
                std::string{name_of(input.conversion.definition)} + "</b> with " +
                end_factor_phrase(input) + ".";
+    } else if (is_periodic(input)) {
+        out +=
+            "There are no walls: the shear stress is that of the bulk, and the box is sheared by "
+            "images of it that move (Lees and Edwards).";
     } else {
         out += "The shear stress is force over wall area, the shear rate wall speed over gap.";
     }
@@ -134,6 +138,10 @@ std::string render_report(const ReportInput& input) {
     }
     body += "</div>\n";
 
+    if (input.particles) {
+        body += "<h2>Stress of the particles</h2>\n" + particle_table(input, ++table);
+    }
+
     if (const std::vector<Figure> pictures = field_figures(input); !pictures.empty()) {
         body += "<h2>Flow in the section</h2>\n<div class=\"figures\">\n";
         for (const Figure& each : pictures) {
@@ -147,10 +155,13 @@ std::string render_report(const ReportInput& input) {
     }
 
     Figure drawing;
-    drawing.panels.push_back(geometry_drawing_for_page(input.instrument));
-    drawing.caption = geometry::rotates(input.instrument)
-                          ? "The instrument. Orange: turns; grey: stands still; blue: fluid."
-                          : "The instrument. Orange: moving wall; grey: fixed wall; blue: fluid.";
+    drawing.panels.push_back(geometry_drawing_for_page(input.instrument, is_periodic(input)));
+    drawing.caption =
+        geometry::rotates(input.instrument)
+            ? "The instrument. Orange: turns; grey: stands still; blue: fluid."
+        : is_periodic(input)
+            ? "The box, which stands for the bulk. Above and below: its images, which move."
+            : "The instrument. Orange: moving wall; grey: fixed wall; blue: fluid.";
     body += "<h2>Instrument and fluid</h2>\n<div class=\"columns\"><div>\n";
     body += figure_html(drawing, ++figure);
     body += "</div><div>\n";

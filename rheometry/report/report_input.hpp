@@ -69,6 +69,13 @@ struct MeshDescription {
     std::vector<Fact> facts;
 };
 
+/// Particles in the fluid.
+struct ParticlesNote {
+    double volume_fraction{};
+    bool walls = true;          ///< false: bulk, between images that move (Lees & Edwards)
+    bool carries_stress = true; ///< false: drag alone, without the stress of rigid spheres
+};
+
 /// Measured points beside the computed ones.
 struct MeasuredSeries {
     std::string name;
@@ -131,11 +138,19 @@ struct ReportInput {
     std::string csv{};
     std::string csv_file_name = "rheogram.csv";
 
+    /// Absent for a fluid without particles.
+    std::optional<ParticlesNote> particles{};
+
     /// End factors of the creeping flow at the rows; empty: they were not solved for.
     std::vector<EndEffect> ends{};
     /// The flow in the section at some rows, in order; empty: none was asked for.
     std::vector<fields::SectionFields> fields{};
 };
+
+/// A box without walls, which stands for the bulk of a suspension.
+[[nodiscard]] inline bool is_periodic(const ReportInput& input) {
+    return input.particles && !input.particles->walls;
+}
 
 /// One run of a sweep.
 struct OverlayRun {
@@ -150,6 +165,7 @@ struct OverlayRun {
     double accuracy{};
     double wall_seconds{};
     std::vector<std::string> warnings;
+    std::optional<ParticlesNote> particles{}; ///< absent for a fluid without particles
 };
 
 /// All that the page over a sweep shows.

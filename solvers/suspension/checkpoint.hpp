@@ -51,6 +51,9 @@ struct Checkpointing {
     /// Called at every place where the run could go on from; decides itself whether to save.
     /// `make` gives the state.
     std::function<void(const std::function<Checkpoint()>& make)> offer;
+    /// Called when the run is interrupted, and, if wanted, when it is finished: saves at once.
+    std::function<void(const std::function<Checkpoint()>& make)> keep;
+    bool keep_finished = false; ///< of a sweep, whose later runs may be interrupted
 };
 
 } // namespace searle::solvers::suspension

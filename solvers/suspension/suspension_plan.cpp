@@ -179,9 +179,12 @@ std::vector<PlanItem> items_for(const Scene& scene, const Forecast& forecast,
     if (!forecast.rows.empty()) {
         const std::size_t worst =
             row_of_largest(forecast, [&](std::size_t i) { return forecast.rows[i].lag_share; });
-        items.push_back({"inertia", walls && settings.hydrodynamics != Hydrodynamics::lubrication,
-                         fmt::format("The fluid's inertia is up to {} of the stress (row {}).",
-                                     percent(forecast.rows[worst].lag_share), worst + 1)});
+        items.push_back(
+            {"inertia", walls && settings.hydrodynamics != Hydrodynamics::lubrication,
+             walls ? fmt::format("The fluid's inertia is up to {} of the stress (row {}).",
+                                 percent(forecast.rows[worst].lag_share), worst + 1)
+                   : std::string("Sheared everywhere at once, the fluid has nothing "
+                                 "to lag behind.")});
     }
     return items;
 }
@@ -330,7 +333,7 @@ SuspensionChoice choose(const Scene& scene) {
     return choice;
 }
 
-void plan_suspension(const Scene& scene, const Forecast& forecast, Plan& plan) {
+void plan_suspension(const Scene& scene, Forecast& forecast, Plan& plan) {
     plan.taylor.reset();
     const auto cannot = [&](std::string reason) {
         plan.model = "suspension";
@@ -360,6 +363,12 @@ void plan_suspension(const Scene& scene, const Forecast& forecast, Plan& plan) {
                         : "in uniform shear without walls",
                     choice.why_hydrodynamics);
     plan.can_be_solved = true;
+    if (choice.settings.boundary != ParticleBoundary::walls)
+        // Sheared everywhere at once: nothing lags behind a wall.
+        for (RowForecast& row : forecast.rows) {
+            row.lag_share = 0.0;
+            row.regime = "laminar";
+        }
     plan.items = items_for(scene, forecast, choice);
     plan.warnings = warnings_for(scene, forecast, choice);
     plan.expected_seconds = expected_seconds(scene, forecast, choice);

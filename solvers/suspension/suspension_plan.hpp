@@ -22,6 +22,6 @@ struct SuspensionChoice {
 
 /// Completes a plan for a scene with particles: model, items, warnings, cost. Throws
 /// UnsuitableScene where the particles do not fit the box.
-void plan_suspension(const Scene& scene, const Forecast& forecast, Plan& plan);
+void plan_suspension(const Scene& scene, Forecast& forecast, Plan& plan);
 
 } // namespace searle::solvers::suspension

@@ -82,8 +82,9 @@ std::unique_ptr<SuspensionMotion> make_motion(SuspensionInput input) {
 class Run {
 public:
     Run(const Scene& scene, SuspensionMotion& motion, const ProgressSink& progress,
-        const Checkpointing& checkpointing, bool films)
+        const Checkpointing& checkpointing, const FrameSink& frames, bool films)
         : scene_(scene), motion_(motion), progress_(progress), checkpointing_(checkpointing),
+          recorder_(scene.output.trajectory_strain, frames, scene.output.fields),
           walls_(scene.particles->boundary == ParticleBoundary::walls),
           area_(std::get<geometry::Box>(scene.instrument).wall_area()),
           claimed_(claimed_error(scene.solver.accuracy, films)) {
@@ -97,16 +98,27 @@ public:
             ++replayed_;
             return;
         }
-        SampleMean mean;
+        recorder_.start(motion_);
         while (motion_.time() < until) {
-            mean.add(motion_.advance(speed, until));
-            if (++calls_ % 16 == 0)
+            const StressSample step = motion_.advance(speed, until);
+            mean_.add(step);
+            recorder_.see(motion_, step);
+            if (++calls_ % 16 == 0) {
                 report(motion_.time());
+                offer();
+            }
         }
-        samples_.push_back(mean.mean());
+        samples_.push_back(mean_.mean());
+        mean_.clear();
+        sample_start_ = motion_.time();
         replayed_ = restored_ = samples_.size();
-        if (checkpointing_.offer)
-            checkpointing_.offer([this] { return save(); });
+        offer();
+    }
+
+    /// The state at this moment, for a run that goes on: saved at once.
+    void keep() const {
+        if (checkpointing_.keep)
+            checkpointing_.keep([this] { return save(); });
     }
 
     void follow(const rheometry::SpeedHistory& history, double discard, bool holds,
@@ -139,6 +151,8 @@ public:
         };
         try {
             for (const double end : history.row_times) {
+                // Of a held step the second half has left the start-up behind in any case.
+                recorder_.begin_row(ends.size(), holds ? 0.5 * (before + end) : before);
                 for (int part = 1; part <= parts; ++part)
                     sample_until(speed,
                                  part == parts ? end : before + (end - before) * part / parts);
@@ -151,6 +165,8 @@ public:
             tell(failure, report);
         }
         finish_all();
+        if (!holds)
+            widen(history, ends, report);
     }
 
     /// Each speed until its statistical error is small enough.
@@ -161,6 +177,7 @@ public:
                 const double rate = std::abs(wall_speed) / gap;
                 const std::size_t first = replayed_;
                 const double start = time_after(first);
+                recorder_.begin_row(report.solution.history.rows.size(), start + 1.0 / rate);
                 const WallSpeed speed = [wall_speed](double) { return wall_speed; };
                 end_time_ = start + 10.0 / rate *
                                         static_cast<double>(series.speeds.size() -
@@ -198,6 +215,7 @@ public:
     }
 
     std::vector<StressSample> take_samples() { return std::move(samples_); }
+    [[nodiscard]] const RunRecorder& recorder() const { return recorder_; }
 
 private:
     /// End of the first `count` samples, s.
@@ -205,7 +223,7 @@ private:
         if (count == 0)
             return 0.0;
         if (count == samples_.size() && replayed_ == restored_)
-            return motion_.time();
+            return sample_start_;
         const StressSample& last = samples_[count - 1];
         return last.time + 0.5 * last.duration;
     }
@@ -219,7 +237,15 @@ private:
             numbers.insert(numbers.end(), values.begin(), values.end());
         }
         checkpoint.put("samples", numbers);
+        checkpoint.put("sample_under_way", mean_.sums());
+        checkpoint.put("sample_start", sample_start_);
+        recorder_.save(checkpoint);
         return checkpoint;
+    }
+
+    void offer() const {
+        if (checkpointing_.offer)
+            checkpointing_.offer([this] { return save(); });
     }
 
     void restore(const Checkpoint& checkpoint) {
@@ -232,6 +258,12 @@ private:
             samples_.push_back(StressSample::from(values));
         }
         restored_ = samples_.size();
+        std::array<double, StressSample::size> sums{};
+        for (std::size_t k = 0; k < sums.size(); ++k)
+            sums[k] = checkpoint.column("sample_under_way").at(k);
+        mean_.restore(sums);
+        sample_start_ = checkpoint.number("sample_start");
+        recorder_.restore(checkpoint);
     }
 
     /// A step that cannot be taken ends the run; the rows before it are kept, if there are any.
@@ -239,6 +271,24 @@ private:
         report.solution.reached = false;
         report.failure = failure.what();
         report.solution.notes.push_back(fmt::format("The run stopped: {}.", failure.what()));
+    }
+
+    /// Each piece's rows by what all of its samples tell.
+    void widen(const rheometry::SpeedHistory& history, const std::vector<std::size_t>& ends,
+               SuspensionReport& report) const {
+        auto& rows = report.solution.history.rows;
+        std::size_t first = 0;
+        for (std::size_t last = 0; last < rows.size(); ++last) {
+            const bool goes_on =
+                last + 1 < rows.size() &&
+                same_piece(history, history.row_times[last], history.row_times[last + 1]);
+            if (goes_on)
+                continue;
+            const std::size_t begin = first == 0 ? 0 : ends[first - 1];
+            widen_by_piece(std::span(samples_).subspan(begin, ends[last] - begin), walls_,
+                           samples_per_ramp_row, std::span(rows).subspan(first, last + 1 - first));
+            first = last + 1;
+        }
     }
 
     static bool same_piece(const rheometry::SpeedHistory& history, double one, double other) {
@@ -278,6 +328,9 @@ private:
     const Checkpointing& checkpointing_;
     std::size_t restored_ = 0; ///< samples of a run that goes on
     std::size_t replayed_ = 0; ///< of them, passed again by the loops over the protocol
+    RunRecorder recorder_;
+    SampleMean mean_;           ///< of the sample under way
+    double sample_start_ = 0.0; ///< s
     bool walls_;
     double area_;
     ClaimedError claimed_;
@@ -289,8 +342,8 @@ private:
 } // namespace
 
 SuspensionReport solve_suspension(const Scene& scene, const Plan& plan,
-                                  const ProgressSink& progress,
-                                  const Checkpointing& checkpointing) {
+                                  const ProgressSink& progress, const Checkpointing& checkpointing,
+                                  const FrameSink& frames) {
     SuspensionReport report;
     report.solution.transient = true;
     const SuspensionChoice choice = choose(scene);
@@ -314,7 +367,7 @@ SuspensionReport solve_suspension(const Scene& scene, const Plan& plan,
         progress(0.0, "packing the particles");
     const std::unique_ptr<SuspensionMotion> motion =
         make_motion(input_for(scene, choice, initial, fastest));
-    Run run(scene, *motion, progress, checkpointing,
+    Run run(scene, *motion, progress, checkpointing, frames,
             choice.settings.hydrodynamics == Hydrodynamics::lubrication);
     const auto* steps = std::get_if<rheometry::Steps>(&scene.protocol.program);
     if (steady)
@@ -322,6 +375,8 @@ SuspensionReport solve_suspension(const Scene& scene, const Plan& plan,
     else
         run.follow(*history, steps ? steps->discard_strain.value_or(-1.0) : -1.0, steps != nullptr,
                    report);
+    if (report.solution.interrupted || (checkpointing.keep_finished && report.failure.empty()))
+        run.keep();
     if (!report.failure.empty() && report.solution.history.rows.empty())
         throw StepFailure(report.failure);
     const StepCounts counts = motion->counts();
@@ -330,6 +385,11 @@ SuspensionReport solve_suspension(const Scene& scene, const Plan& plan,
     report.solution.time_steps = counts.steps;
     report.solution.linear_solves = counts.fluid_steps + counts.solver_iterations;
     report.solution.unknowns = plan.expected_unknowns;
+    if (const std::string note =
+            note_on_scatter(report.solution.history.rows, scene.solver.accuracy);
+        !note.empty())
+        report.solution.notes.push_back(note);
+    report.structure = run.recorder().structure();
     report.samples = run.take_samples();
     return report;
 }

@@ -4,6 +4,7 @@
 #include "solvers/progress.hpp"
 #include "solvers/radial/radial_solver.hpp"
 #include "solvers/suspension/checkpoint.hpp"
+#include "solvers/suspension/run_recorder.hpp"
 #include "solvers/suspension/stress_sample.hpp"
 
 #include <string>
@@ -17,8 +18,9 @@ namespace searle::solvers::suspension {
 /// error fell to 5 %.
 struct SuspensionReport {
     radial::RadialReport solution;
-    std::vector<StressSample> samples; ///< the series that the rows were made of
-    std::string failure;               ///< why a step could not be taken; empty: all were
+    std::vector<StressSample> samples;               ///< the series that the rows were made of
+    std::map<std::size_t, Microstructure> structure; ///< by row, with output.fields
+    std::string failure; ///< why a step could not be taken; empty: all were
 };
 
 /// Largest strain of a step with hold = "steady".
@@ -32,8 +34,10 @@ inline constexpr double steady_statistical_error = 0.05;
 /// Throws UnsuitableScene where the particles cannot be packed, StepFailure where a step before the
 /// first row cannot be taken.
 /// @param checkpointing where to go on from, and where to save
+/// @param frames        takes the frames of the trajectory (output.trajectory_strain)
 [[nodiscard]] SuspensionReport solve_suspension(const Scene& scene, const Plan& plan,
                                                 const ProgressSink& progress,
-                                                const Checkpointing& checkpointing = {});
+                                                const Checkpointing& checkpointing = {},
+                                                const FrameSink& frames = {});
 
 } // namespace searle::solvers::suspension

@@ -12,7 +12,9 @@ namespace {
 
 using searle::app::read_checkpoint;
 using searle::app::write_checkpoint;
+using searle::app::testing::names_in;
 using searle::app::testing::Outcome;
+using searle::app::testing::run;
 using searle::app::testing::searle;
 using searle::app::testing::TemporaryFolder;
 using searle::app::testing::text_of;
@@ -67,6 +69,109 @@ TEST(SuspensionRun, gives_the_parts_of_the_stress_and_repeats_byte_for_byte) {
         EXPECT_LT(point.viscosity, 2.0 * 1.0016e-3);
         EXPECT_GT(point.suspension->statistical_error, 0.0);
     }
+}
+
+TEST(SuspensionRun, an_interrupt_in_the_first_minute_loses_nothing_and_doubles_no_frame) {
+    const TemporaryFolder folder;
+    write_text(folder / "case.toml", small_case);
+    const auto words = [](const std::string& out) {
+        return std::vector<std::string>{"run",   "case.toml",
+                                        "-o",    out,
+                                        "--set", "protocol.hold_strain=6",
+                                        "--set", "output.trajectory_strain=1",
+                                        "--set", "output.fields=true",
+                                        "--set", "protocol.shear_rates=[\"100 1/s\"]"};
+    };
+    // The first line of progress comes after a second; the run takes several.
+    const Outcome stopped = run({.arguments = words("out"),
+                                 .directory = folder.path(),
+                                 .signal = SIGINT,
+                                 .signal_when = "particles at"});
+    ASSERT_EQ(stopped.exit_code, 130) << stopped.err;
+    EXPECT_NE(stopped.err.find("the same command goes on from out.checkpoint.h5"),
+              std::string::npos)
+        << stopped.err;
+    EXPECT_EQ(names_in(folder.path()), "case.toml out.checkpoint.h5 out.trajectory");
+    const Outcome on = searle(words("out"), folder.path());
+    ASSERT_EQ(on.exit_code, 0) << on.err;
+    EXPECT_NE(on.err.find("goes on from"), std::string::npos) << on.err;
+    const Outcome whole = searle(words("whole"), folder.path());
+    ASSERT_EQ(whole.exit_code, 0) << whole.err;
+    EXPECT_EQ(names_in(folder.path()), "case.toml out out.trajectory whole whole.trajectory");
+    EXPECT_EQ(text_of(folder / "out/rheogram.csv"), text_of(folder / "whole/rheogram.csv"));
+    // A frame at the start and one past each unit of strain.
+    const std::string frames = "frame-000000.vtp frame-000001.vtp frame-000002.vtp "
+                               "frame-000003.vtp frame-000004.vtp frame-000005.vtp "
+                               "frame-000006.vtp trajectory.pvd";
+    EXPECT_EQ(names_in(folder / "out.trajectory"), frames);
+    EXPECT_EQ(names_in(folder / "whole.trajectory"), frames);
+    for (const char* name :
+         {"frame-000000.vtp", "frame-000003.vtp", "frame-000006.vtp", "trajectory.pvd"})
+        EXPECT_EQ(text_of(folder / "out.trajectory" / name),
+                  text_of(folder / "whole.trajectory" / name))
+            << name;
+    for (const char* name :
+         {"row-0001-pairs.csv", "row-0001-profile.csv", "row-0001-contacts.csv"}) {
+        EXPECT_FALSE(text_of(folder / "out/fields" / name).empty()) << name;
+        EXPECT_EQ(text_of(folder / "out/fields" / name), text_of(folder / "whole/fields" / name))
+            << name;
+    }
+    // Another run beside an earlier trajectory asks first.
+    std::filesystem::remove_all(folder / "whole");
+    const Outcome beside = searle(words("whole"), folder.path());
+    EXPECT_EQ(beside.exit_code, 2) << beside.err;
+    EXPECT_NE(beside.err.find("--force replaces it"), std::string::npos) << beside.err;
+}
+
+TEST(SuspensionRun, figure_5_says_where_its_curves_differ_and_what_drag_alone_misses) {
+    // The case itself in a box of a fortieth, with a ramp of a tenth.
+    const TemporaryFolder folder;
+    const std::string source =
+        (std::filesystem::path(SEARLE_SOURCE_DIR) / "cases/suspension-zirconia.toml").string();
+    const Outcome outcome =
+        searle({"run", source, "-o", "out", "--set", "geometry.gap=\"15 um\"", "--set",
+                "geometry.length=\"15 um\"", "--set", "geometry.width=\"15 um\"", "--set",
+                "protocol.duration=\"10 ms\""},
+               folder.path());
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string summary = text_of(folder / "out/summary.json");
+    for (const char* words :
+         {"Stress at 180", "Where the runs differ at 180", "plain against water",
+          "dlvo against plain", "stresslet against dlvo", "How the curves steepen",
+          "viscosity from 90", "Drag alone carries no stress of rigid spheres", "+11.70"}) {
+        EXPECT_NE(summary.find(words), std::string::npos) << words;
+    }
+    EXPECT_NE(text_of(folder / "out/report.html").find("Stress of the particles"),
+              std::string::npos);
+}
+
+TEST(SuspensionRun, a_trajectory_without_particles_is_refused) {
+    const TemporaryFolder folder;
+    write_text(folder / "case.toml", small_case.substr(0, small_case.find("[particles]")) +
+                                         "[output]\ntrajectory_strain = 1\n");
+    const Outcome outcome = searle({"check", "case.toml", "--set",
+                                    "protocol={type=\"steps\", "
+                                    "shear_rates=[\"1 1/s\"]}"},
+                                   folder.path());
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("no particles to follow"), std::string::npos) << outcome.err;
+}
+
+TEST(SuspensionRun, a_box_without_walls_speaks_of_none) {
+    const TemporaryFolder folder;
+    write_text(folder / "case.toml", small_case);
+    const Outcome outcome = searle({"run", "case.toml", "-o", "out", "--set",
+                                    "particles.boundary=\"lees-edwards\"", "--set",
+                                    "protocol={type=\"ramp\", from=\"0 1/s\", to=\"100 1/s\", "
+                                    "duration=\"20 ms\", points=4}"},
+                                   folder.path());
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string page = text_of(folder / "out/report.html");
+    for (const char* words : {"moving wall", "fixed wall", "wall speed over gap", "|M_bob"})
+        EXPECT_EQ(page.find(words), std::string::npos) << words;
+    EXPECT_EQ(page.find("It comes from the inertia"), std::string::npos);
+    EXPECT_NE(page.find("It comes from the stress of the particles."), std::string::npos);
+    EXPECT_NE(page.find("There are no walls"), std::string::npos);
 }
 
 TEST(SuspensionRun, refuses_what_does_not_fit) {

@@ -25,7 +25,8 @@ Scene scene_in(const geometry::Instrument& instrument, const flow::AnyFlowLaw& l
     scene.protocol = protocol;
     scene.conversion.definition = rheometry::default_definition(instrument);
     scene.conversion.end_factor = 1.0;
-    scene.output = {.fields = true, .field_rows = 2};
+    scene.output.fields = true;
+    scene.output.field_rows = 2;
     return scene;
 }
 
