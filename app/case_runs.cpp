@@ -26,11 +26,17 @@ SolvedCase solve_safely(PlannedCase planned, const solvers::ProgressSink& sink,
                         const RunPlace& place) {
     if (planned.source.scene.solver.engine == solvers::Engine::openfoam) {
         (void)installation_for(planned.source); // before anything is written
+        check_engine_can_run_in(engine_folder);
         if (open_engine_folder(engine_folder, planned.source, place.replace) && !place.quiet)
             std::fputs(fmt::format("searle: goes on from {}\n", engine_folder.string()).c_str(),
                        stderr);
-        return solve_case(std::move(planned), sink,
-                          {.checkpointing = {}, .engine_folder = engine_folder});
+        try {
+            return solve_case(std::move(planned), sink,
+                              {.checkpointing = {}, .engine_folder = engine_folder});
+        } catch (...) {
+            remove_unused_engine_folder(engine_folder);
+            throw;
+        }
     }
     if (!planned.source.scene.particles)
         return solve_case(std::move(planned), sink);

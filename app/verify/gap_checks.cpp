@@ -1,4 +1,5 @@
 #include "app/verify/check.hpp"
+#include "laws/gap/eccentric_cylinders.hpp"
 #include "solvers/radial/annular_gap.hpp"
 #include "solvers/radial/gap_run.hpp"
 #include "solvers/radial/radial_solver.hpp"
@@ -61,6 +62,24 @@ Found double_gap_closed_form() {
         4.0 * pi * 1e-3 * 5.0 * gap.height *
         (r1 * r1 * r2 * r2 / (r2 * r2 - r1 * r1) + r3 * r3 * r4 * r4 / (r4 * r4 - r3 * r3));
     return {relative(steady_instrument_flow(gap, Newtonian{1e-3}, 5.0).torque, exact)};
+}
+
+/// Largest error of torque and force against Sommerfeld's bearing, r = 1.
+double off_sommerfeld(double gap) {
+    double worst = 0.0;
+    for (const double part : {0.1, 0.5, 0.9}) {
+        const laws::gap::EccentricCylinders it{1.0, 1.0 + gap, part * gap};
+        const double bearing = (2.0 + part * part) * std::sqrt(1.0 - part * part);
+        worst = std::max(
+            {worst,
+             relative(it.torque_factor(), 4.0 * pi / gap * (1.0 + 2.0 * part * part) / bearing),
+             relative(it.force_factor(), 12.0 * pi * part / (gap * gap * bearing))});
+    }
+    return worst;
+}
+
+Found eccentric_sommerfeld() {
+    return {off_sommerfeld(2.5e-4), order_of(off_sommerfeld(5e-4), off_sommerfeld(2.5e-4))};
 }
 
 Found box_closed_form() {
@@ -196,6 +215,16 @@ std::vector<Check> gap_checks() {
          .file = steady,
          .test = "SteadyInstrument.box_force_is_stress_times_area_and_odd_in_the_speed",
          .run = box_closed_form},
+        {.name = "eccentric-sommerfeld",
+         .subject = "creeping flow around an eccentric bob, closed form: torque and side force",
+         .against = "Sommerfeld's bearing 1904, gaps of 1/1000 to 1/4000 of the radius",
+         .tolerance = 1e-3,
+         .origin = "the bearing's neglect of curvature, first order in the gap",
+         .least_order = 0.95,
+         .file = "tests/laws/eccentric_cylinders_test.cpp",
+         .test = "EccentricCylinders.a_narrow_gap_tends_to_sommerfelds_bearing_in_first_order_of_"
+                 "the_gap",
+         .run = eccentric_sommerfeld},
         {.name = "ramp-water-values",
          .subject = "flow in time in a gap: water from rest, 0 to 100 1/s in 35 s",
          .against = "checked eta_app/eta at 0.1, 0.5, 1, 5, 10 and 35 s to seven digits",
