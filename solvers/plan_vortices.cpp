@@ -234,8 +234,9 @@ TaylorOnset VortexForecast::judge(const geometry::Instrument& instrument,
         onset.basis =
             newtonian_
                 ? "Exact linear stability of the steady flow of this Newtonian fluid"
-                : fmt::format("No disturbance can grow at these speeds: the energy that one draws "
-                              "from the flow is at most {:.2g} of what it dissipates (energy "
+                : fmt::format("No axisymmetric disturbance can grow at these speeds: the energy "
+                              "that one draws from the flow is at most {:.2g} of what it "
+                              "dissipates (energy "
                               "method); the ratio is an estimate, with the threshold of a "
                               "Newtonian fluid and the viscosity eta^(3/4) (d tau / d gamma)^(1/4) "
                               "at the bob's wall",
