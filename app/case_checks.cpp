@@ -86,6 +86,10 @@ void check_openfoam(const CaseAsWritten& written, Findings& findings) {
         {"solver.processors", solver.processors != 1},
         {"solver.time_step", solver.time_step.has_value()},
         {"solver.viscosity_cap", solver.viscosity_cap.has_value()}};
+    if (geometry::is_eccentric(geometry::instrument_of(written.geometry)))
+        findings.contradiction({"geometry.offset", "solver.engine"},
+                               "the native engine has the bob in the middle of the cup",
+                               "engine = \"openfoam\" beside it, or offset = \"0 mm\"");
     for (const auto& [key, is_set] : settings)
         if (is_set)
             findings.contradiction({key, "solver.engine"}, "the native engine has no such setting",

@@ -62,10 +62,16 @@ SolvedCase solve_safely(PlannedCase planned, const solvers::ProgressSink& sink,
         return solve_case(std::move(planned), sink);
     const fs::path folder = engine_folder_for(planned.source, place.folder, sweeps);
     (void)installation_for(planned.source); // before anything is written
+    check_engine_can_run_in(folder);
     if (open_engine_folder(folder, planned.source, place.replace) && !place.quiet)
         std::fputs(fmt::format("searle: goes on from {}\n", folder.string()).c_str(), stderr);
-    return solve_case(std::move(planned), sink,
-                      {.checkpointing = {}, .frames = {}, .engine_folder = folder});
+    try {
+        return solve_case(std::move(planned), sink,
+                          {.checkpointing = {}, .frames = {}, .engine_folder = folder});
+    } catch (...) {
+        remove_unused_engine_folder(folder);
+        throw;
+    }
 }
 
 } // namespace

@@ -7,6 +7,12 @@
 
 namespace searle::app {
 
+/// The results of one case, engine by engine; the first is what the others are held against.
+struct ComparedCase {
+    std::string name; ///< of the case in its sweep; empty where it stands alone
+    std::vector<const SolvedCase*> solved;
+};
+
 /// One engine's results against the first one's.
 struct EngineAgreement {
     std::string engine;
@@ -19,13 +25,15 @@ struct EngineAgreement {
     double wall_seconds{};
 };
 
-/// @param solved  the same case, engine by engine, at least one
-[[nodiscard]] std::vector<EngineAgreement> agreements(const std::vector<SolvedCase>& solved);
+/// @param compared  at least one engine's results
+[[nodiscard]] std::vector<EngineAgreement> agreements(const ComparedCase& compared);
 
 /// A table for people, with the ratio of processor times.
-[[nodiscard]] std::string agreement_table(const std::vector<EngineAgreement>& agreements);
+[[nodiscard]] std::string agreement_table(const ComparedCase& compared);
 
-/// Columns row, shear_rate_1_s, and of each engine stress and error; difference over joint error.
-[[nodiscard]] std::string comparison_csv(const std::vector<SolvedCase>& solved);
+/// Columns row, time_s, shear_rate_1_s, and of each engine stress and error; difference over joint
+/// error. Several cases stand below each other with the column `case` in front; a new header says
+/// where other engines finished.
+[[nodiscard]] std::string comparison_csv(const std::vector<ComparedCase>& cases);
 
 } // namespace searle::app

@@ -30,7 +30,17 @@ fs::path engine_folder_for(const Case& source, const fs::path& result_folder, bo
     fs::path folder = result_folder;
     if (!folder.has_filename())
         folder = folder.parent_path(); // "results/water/"
-    return settled_path(folder).string() + (sweeps ? "." + source.name : "") + std::string(suffix);
+    // A run that is named after the engine, as `compare` names it, says so once.
+    const bool is_named = sweeps && "." + source.name != suffix;
+    return settled_path(folder).string() + (is_named ? "." + source.name : "") +
+           std::string(suffix);
+}
+
+void check_engine_can_run_in(const fs::path& folder) {
+    if (folder.string().find_first_of(" \t\n\"'") != std::string::npos)
+        throw OutputPlaceError(fmt::format("{}: OpenFOAM cannot run in a folder whose path has a "
+                                           "blank or a quote in it; -o takes another",
+                                           folder.string()));
 }
 
 bool open_engine_folder(const fs::path& folder, const Case& source, bool anew) {
@@ -54,6 +64,14 @@ bool open_engine_folder(const fs::path& folder, const Case& source, bool anew) {
     fs::create_directories(folder);
     replace_file(case_file, source.resolved_toml);
     return false;
+}
+
+void remove_unused_engine_folder(const fs::path& folder) {
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+        if (entry.path().filename() != "case.toml")
+            return;
+    fs::remove_all(folder, ignored);
 }
 
 } // namespace searle::app

@@ -9,6 +9,7 @@
 #include "geometry/mesh_error.hpp"
 #include "rheometry/tables/table_error.hpp"
 #include "solvers/openfoam/child_process.hpp"
+#include "solvers/openfoam/disk_space.hpp"
 #include "solvers/openfoam/openfoam_solver.hpp"
 #include "solvers/suspension/suspension_motion.hpp"
 #include "solvers/unsuitable_scene.hpp"
@@ -50,6 +51,8 @@ int called(const std::function<int()>& verb) {
         return tell(ExitCode::engine_missing,
                     fmt::format("{}; apt-get install {} brings OpenFOAM and what it needs",
                                 error.what(), solvers::openfoam::package));
+    } catch (const solvers::openfoam::DiskFull& error) {
+        return tell(ExitCode::program_fault, error.what());
     } catch (const CheckpointError& error) {
         return tell(ExitCode::wrong_usage, error.what());
     } catch (const solvers::UnsuitableScene& error) {

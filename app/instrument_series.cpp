@@ -93,6 +93,10 @@ std::vector<InstrumentSeries> read_instrument_series(const FitVerbOptions& optio
             options.case_files.size() == 1 ? options.case_files.front() : options.case_files[i];
         const std::string file = options.data_files[i].string();
         const Case read = read_case(case_file, options.overrides);
+        if (geometry::is_eccentric(read.scene.instrument))
+            throw UsageError(case_file.string() +
+                             ": geometry.offset: data are fitted through a centred bob alone; "
+                             "offset = \"0 mm\" takes it as centred");
         const rheometry::Conversion conversion =
             rheometry::conversion_for(read.scene.instrument, read.scene.conversion);
         const auto motion = geometry::rotates(read.scene.instrument)

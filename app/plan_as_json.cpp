@@ -21,6 +21,9 @@ Json to_json(const std::optional<solvers::TaylorOnset>& taylor) {
             {"wave_number", number(taylor->wave_number)},
             {"onset_shear_rate_1_s",
              taylor->onset_shear_rate ? number(*taylor->onset_shear_rate) : Json(nullptr)},
+            {"onset_angular_velocity_rad_s",
+             taylor->critical_speed ? number(*taylor->critical_speed) : Json(nullptr)},
+            {"relative_error", number(taylor->relative_error)},
             {"basis", taylor->basis}};
 }
 

@@ -51,23 +51,16 @@ report::Provenance provenance_of(const RunSummary& summary) {
             .model_reason = summary.solver.model_reason};
 }
 
-std::optional<report::VortexOnset> onset_of(const RunSummary& summary,
-                                            const rheometry::Rheogram& rheogram, bool newtonian) {
+std::optional<report::VortexOnset> onset_of(const RunSummary& summary) {
     if (!summary.taylor)
         return std::nullopt;
     const TaylorNumbers& taylor = *summary.taylor;
-    // With one viscosity the Reynolds number is proportional to the speed, so the onset's shear
-    // rate follows from any row; with a viscosity that changes it would not.
-    double critical_rate = 0.0;
-    if (newtonian && taylor.reynolds > 0.0 && summary.completeness != Completeness::interrupted) {
-        for (const rheometry::RheogramPoint& point : rheogram.points)
-            critical_rate = std::max(critical_rate, std::abs(point.shear_rate));
-        critical_rate *= taylor.critical_reynolds / taylor.reynolds;
-    }
     return report::VortexOnset{.critical_reynolds = taylor.critical_reynolds,
                                .reynolds = taylor.reynolds,
                                .wave_number = taylor.wave_number,
-                               .critical_shear_rate = critical_rate,
+                               .critical_shear_rate = std::isfinite(taylor.onset_shear_rate)
+                                                          ? taylor.onset_shear_rate
+                                                          : 0.0,
                                .basis = taylor.basis};
 }
 
@@ -129,8 +122,7 @@ std::string report_page(const RunRecord& record) {
         .transient = summary.transient,
         .accuracy = scene.solver.accuracy,
         .validity = {},
-        .vortex_onset = onset_of(summary, record.rheogram,
-                                 std::holds_alternative<laws::flow::Newtonian>(scene.fluid.law)),
+        .vortex_onset = onset_of(summary),
         .warnings = summary.warnings,
         .remarks = summary.remarks,
         .timings = {},

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
+#include <limits>
 
 namespace searle::app {
 namespace {
@@ -98,10 +99,13 @@ RunSummary run_summary(const SolvedCase& solved, const std::string& created) {
         summary.files.push_back(std::move(name));
     std::sort(summary.files.begin(), summary.files.end());
     if (solved.plan.taylor)
-        summary.taylor = TaylorNumbers{.critical_reynolds = solved.plan.taylor->critical_reynolds,
-                                       .reynolds = solved.plan.taylor->reynolds,
-                                       .wave_number = solved.plan.taylor->wave_number,
-                                       .basis = solved.plan.taylor->basis};
+        summary.taylor =
+            TaylorNumbers{.critical_reynolds = solved.plan.taylor->critical_reynolds,
+                          .reynolds = solved.plan.taylor->reynolds,
+                          .wave_number = solved.plan.taylor->wave_number,
+                          .onset_shear_rate = solved.plan.taylor->onset_shear_rate.value_or(
+                              std::numeric_limits<double>::quiet_NaN()),
+                          .basis = solved.plan.taylor->basis};
     for (const rheometry::RheogramPoint& point : solved.rheogram.points)
         ++summary.regimes[point.regime];
     for (const solvers::PlanItem& item : solved.plan.items)

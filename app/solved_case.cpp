@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace searle::app {
 namespace {
@@ -57,6 +58,12 @@ solvers::openfoam::Installation installation_for(const Case& source) {
             "{}: solver.engine: OpenFOAM is not here; apt-get install {} brings it, engine = "
             "\"native\" solves the case without it",
             source.file.string(), solvers::openfoam::package));
+    const int processes = source.scene.solver.processors;
+    if (processes > 1 && !solvers::openfoam::program_in_path("mpirun"))
+        throw EngineMissing(fmt::format(
+            "{}: solver.processors = {}: mpirun, which starts several processes, is not here; "
+            "apt-get install {} brings it, processors = 1 does without",
+            source.file.string(), processes, solvers::openfoam::mpi_package));
     return *found;
 }
 
@@ -86,6 +93,35 @@ SolvedCase unsolved(PlannedCase planned) {
 /// Stresses and rates from the torques that are there.
 void convert(SolvedCase& solved, const std::vector<double>& end_factors);
 
+/// c_L of OpenFOAM's steady rows: the torque over that of the endless rotor at the same speed, the
+/// secondary flow in it. The numbers of rows and factors are those of the history.
+std::vector<double> end_factors_of(SolvedCase& solved) {
+    const solvers::Scene& scene = solved.source.scene;
+    std::vector<double> factors;
+    if (solved.solution.transient || scene.profile || !geometry::has_ends(scene.instrument))
+        return factors;
+    const double rate_per_speed =
+        rheometry::conversion_for(scene.instrument, scene.conversion).rate_per_speed;
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    for (const rheometry::TorqueRow& row : solved.solution.history.rows) {
+        const bool turns = row.steady_torque != 0.0;
+        const double factor = turns ? row.torque / row.steady_torque : 1.0;
+        factors.push_back(factor);
+        if (!turns)
+            continue;
+        const double error = std::abs(row.torque_error / row.steady_torque);
+        solved.ends.push_back({.speed = row.speed,
+                               .shear_rate = rate_per_speed * row.speed,
+                               .end_factor = factor,
+                               .error = error,
+                               .lower = unknown,
+                               .upper = unknown,
+                               .with_inertia = factor,
+                               .with_inertia_error = error});
+    }
+    return factors;
+}
+
 } // namespace
 
 SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress,
@@ -96,6 +132,7 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
     if (scene.solver.engine == solvers::Engine::openfoam) {
         solved.solution = solvers::openfoam::solve_with_openfoam(
             scene, solved.plan, keeping.engine_folder, installation_for(solved.source), progress);
+        end_factors = end_factors_of(solved);
     } else if (scene.particles) {
         solvers::suspension::SuspensionReport report = solvers::suspension::solve_suspension(
             scene, solved.plan, progress, keeping.checkpointing, keeping.frames);
@@ -127,7 +164,7 @@ SolvedCase collect_case(PlannedCase planned, const std::filesystem::path& engine
         solved.source.scene, solved.plan, engine_folder,
         solvers::openfoam::find_installation().value_or(solvers::openfoam::Installation{}));
     solved.clock.end_stage("collect");
-    convert(solved, {});
+    convert(solved, end_factors_of(solved));
     return solved;
 }
 

@@ -180,6 +180,7 @@ std::string summary_json(const RunSummary& summary) {
         json["taylor"] = {{"critical_reynolds", number(summary.taylor->critical_reynolds)},
                           {"reynolds", number(summary.taylor->reynolds)},
                           {"wave_number", number(summary.taylor->wave_number)},
+                          {"onset_shear_rate_1_s", number(summary.taylor->onset_shear_rate)},
                           {"basis", summary.taylor->basis}};
     json["regimes"] = summary.regimes;
     json["plan"] = Json::array();
@@ -254,10 +255,15 @@ RunSummary read_run_summary(std::string_view text) {
                               .rate_per_speed = conversion.at("rate_per_speed"),
                               .end_factor = conversion.at("end_factor")};
         if (const Json& taylor = json.at("taylor"); !taylor.is_null())
-            summary.taylor = TaylorNumbers{.critical_reynolds = number(taylor, "critical_reynolds"),
-                                           .reynolds = number(taylor, "reynolds"),
-                                           .wave_number = number(taylor, "wave_number"),
-                                           .basis = taylor.at("basis")};
+            summary.taylor =
+                TaylorNumbers{.critical_reynolds = number(taylor, "critical_reynolds"),
+                              .reynolds = number(taylor, "reynolds"),
+                              .wave_number = number(taylor, "wave_number"),
+                              // Absent from the earliest result folders.
+                              .onset_shear_rate = taylor.contains("onset_shear_rate_1_s")
+                                                      ? number(taylor, "onset_shear_rate_1_s")
+                                                      : std::numeric_limits<double>::quiet_NaN(),
+                              .basis = taylor.at("basis")};
         for (const Json& note : json.at("plan"))
             summary.plan.push_back({note.at("what"), note.at("solved"), note.at("reason")});
         for (const Json& stage : json.at("timings"))

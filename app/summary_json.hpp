@@ -32,6 +32,7 @@ struct TaylorNumbers {
     double critical_reynolds{};
     double reynolds{};
     double wave_number{};
+    double onset_shear_rate{}; ///< 1/s; NaN: not known
     std::string basis;
 };
 

@@ -18,8 +18,8 @@ struct CompareOptions {
 
 /// `searle compare CASE --engines native,openfoam`: the same case on each engine, side by side.
 /// The result folder holds a run an engine, one figure over all, rheograms.csv and comparison.csv;
-/// a table of errors and times goes to standard output. Exit codes as `run`; throws UsageError for
-/// an engine that there is not, and for a sweep.
+/// a table of errors and times goes to standard output. Of a sweep each case is compared by itself.
+/// Exit codes as `run`; throws UsageError for an engine that there is not.
 [[nodiscard]] int compare(const CompareOptions& options);
 
 } // namespace searle::app

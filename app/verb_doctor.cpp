@@ -4,6 +4,7 @@
 #include "app/versions.hpp"
 #include "casefile/unit.hpp"
 #include "geometry/unstructured/triangulation.hpp"
+#include "solvers/openfoam/installation.hpp"
 
 #include <fmt/format.h>
 
@@ -35,20 +36,8 @@ struct OptionalTool {
 constexpr std::array optional_tools{
     OptionalTool{"OpenFOAM", "pimpleFoam", "openfoam",
                  "solver.engine = \"openfoam\", searle compare"},
+    OptionalTool{"mpirun", "mpirun", "openmpi-bin", "solver.processors above 1"},
     OptionalTool{"rsvg-convert", "rsvg-convert", "librsvg2-bin", "pictures of meshes as .png"}};
-
-std::optional<fs::path> in_path(std::string_view program) {
-    const char* variable = std::getenv("PATH");
-    std::string_view rest = variable == nullptr ? "" : variable;
-    while (!rest.empty()) {
-        const std::size_t colon = rest.find(':');
-        const fs::path candidate = fs::path(rest.substr(0, colon)) / program;
-        if (access(candidate.c_str(), X_OK) == 0)
-            return candidate;
-        rest = colon == std::string_view::npos ? "" : rest.substr(colon + 1);
-    }
-    return std::nullopt;
-}
 
 /// Version of an installed Debian package; empty where it is not known.
 std::string package_version(std::string_view package) {
@@ -63,7 +52,7 @@ std::string package_version(std::string_view package) {
 }
 
 std::string line_for(const OptionalTool& tool) {
-    if (const auto program = in_path(tool.program)) {
+    if (const auto program = solvers::openfoam::program_in_path(tool.program)) {
         const std::string version = package_version(tool.package);
         return fmt::format("  {:<14} {} at {} ({})\n", tool.name,
                            version.empty() ? "unknown version" : version, program->string(),

@@ -101,6 +101,9 @@ int mesh(const MeshOptions& options) {
     if (options.drawing && scene.profile)
         throw geometry::MeshError("--drawing is for instruments; the --preview of a profile shows "
                                   "its outline");
+    if (options.preview && geometry::is_eccentric(scene.instrument))
+        throw geometry::MeshError("--preview shows the section in r and z, and none stands for the "
+                                  "gap around an eccentric bob (geometry.offset)");
     const geometry::BuiltMesh built = geometry::build_mesh(subject, scene.mesh);
     const NoSizeSignal no_signal;
     const std::vector<std::string> losses =

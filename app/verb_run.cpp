@@ -73,8 +73,13 @@ int write_cases(const std::vector<Case>& cases, const RunOptions& options) {
             options.folder ? (cases.size() > 1 ? *options.folder / each.name : *options.folder)
                            : engine_folder_for(each, folder_for(options), cases.size() > 1);
         (void)open_engine_folder(folder, each, options.replace);
-        solvers::openfoam::write_levels(each.scene, solvers::openfoam::plan_foam(each.scene, plan),
-                                        folder, {});
+        try {
+            solvers::openfoam::write_levels(
+                each.scene, solvers::openfoam::plan_foam(each.scene, plan), folder, {});
+        } catch (...) {
+            remove_unused_engine_folder(folder);
+            throw;
+        }
         if (!options.quiet)
             tell(
                 fmt::format("searle: written: {0}\nRun Allrun in each of its level-* folders, then "

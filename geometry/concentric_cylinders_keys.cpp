@@ -1,6 +1,8 @@
 #include "casefile/reading.hpp"
 #include "geometry/instrument_keys.hpp"
 
+#include <fmt/format.h>
+
 namespace searle::geometry {
 
 casefile::Keys<ConcentricCylinders> concentric_cylinders_keys() {
@@ -52,10 +54,26 @@ casefile::Keys<ConcentricCylinders> concentric_cylinders_keys() {
         .example("0 mm")
         .not_in_new()
         .says("With top_gap above 0: radius of the shaft, thinner than the bob; needed there.");
+    keys.key("offset", &ConcentricCylinders::offset)
+        .measures(casefile::length)
+        .at_least("0 m")
+        .at_most("1000 m")
+        .example("0 mm")
+        .not_in_new()
+        .says("Distance of the bob's axis from the cup's, for engine = \"openfoam\"; smaller than "
+              "the gap.");
     keys.check([](const ConcentricCylinders& gap, casefile::Findings& findings) {
         if (gap.bob_radius >= gap.cup_radius)
             findings.contradiction({"cup_radius", "bob_radius"},
                                    "the cup must be wider than the bob", "bob_radius < cup_radius");
+        if (gap.offset > 0.0 && gap.bob_radius < gap.cup_radius && gap.offset >= gap.gap())
+            findings.contradiction(
+                {"offset", "cup_radius", "bob_radius"}, "the bob would touch the cup",
+                fmt::format("0 mm to below {:.6g} mm, the gap", 1e3 * gap.gap()));
+        if (gap.offset > 0.0 && gap.ends)
+            findings.contradiction({"offset", "ends"},
+                                   "an eccentric bob is solved as a slice without ends",
+                                   "ends = false, or offset = \"0 mm\"");
         if (gap.ends && !(gap.bottom_gap > 0.0))
             findings.contradiction({"bottom_gap", "ends"}, "real ends need a gap below the bob",
                                    "bottom_gap above 0, such as \"5 mm\"");

@@ -29,4 +29,9 @@ bool has_ends(const Instrument& instrument) {
         instrument);
 }
 
+bool is_eccentric(const Instrument& instrument) {
+    const auto* gap = std::get_if<ConcentricCylinders>(&instrument);
+    return gap != nullptr && gap->offset > 0.0;
+}
+
 } // namespace searle::geometry

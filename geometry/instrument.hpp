@@ -23,4 +23,7 @@ using Instrument = std::variant<ConcentricCylinders, DoubleGap, DinBob, Box>;
 /// gap with ends = true.
 [[nodiscard]] bool has_ends(const Instrument& instrument);
 
+/// The bob turns about another axis than the cup's: a single gap with an offset.
+[[nodiscard]] bool is_eccentric(const Instrument& instrument);
+
 } // namespace searle::geometry

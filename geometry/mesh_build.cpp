@@ -1,5 +1,6 @@
 #include "geometry/mesh_build.hpp"
 
+#include "geometry/eccentric_annulus.hpp"
 #include "geometry/mesh_error.hpp"
 #include "geometry/mesh_resolution.hpp"
 #include "geometry/structured/instrument_blocks.hpp"
@@ -75,7 +76,14 @@ Mesh solid_of(Mesh section, const MeshDomain& domain, const MeshChoices& choices
     sweep.ends = is_wedge                                                ? Sweep::Ends::wedge
                  : choices.extent == MeshExtent::full && domain.revolved ? Sweep::Ends::closed
                                                                          : Sweep::Ends::periodic;
-    return swept(section, sweep);
+    Mesh solid = swept(section, sweep);
+    if (domain.offset > 0.0) {
+        const Outline& gap = domain.outlines.front();
+        const EccentricAnnulus annulus(gap.points[0].r, gap.points[1].r, domain.offset);
+        for (Point& point : solid.points)
+            point = annulus.placed(point);
+    }
+    return solid;
 }
 
 std::vector<std::string> notes_on(const BuiltMesh& built) {
@@ -121,6 +129,9 @@ OutlineMeasures BuiltMesh::exact() const {
 OutlineMeasures BuiltMesh::expected() const {
     if (!domain.revolved || choices.angular_cells == 0)
         return exact();
+    if (domain.offset > 0.0)
+        return eccentric_chord_measures(domain.outlines.front(), domain.offset,
+                                        choices.angular_cells);
     if (choices.order == 2)
         return expected_of_curved_cells();
     OutlineMeasures all = chord_measures_of(domain.outlines, choices.angle / choices.angular_cells,

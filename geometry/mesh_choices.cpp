@@ -1,5 +1,6 @@
 #include "geometry/mesh_choices.hpp"
 
+#include "geometry/eccentric_annulus.hpp"
 #include "geometry/mesh_error.hpp"
 #include "geometry/mesh_resolution.hpp"
 
@@ -18,8 +19,39 @@ constexpr double widest_wedge = 10.0 * degree;
 /// Of a cell in a sector: its chord is 4.6e-4 shorter in volume than the arc.
 constexpr double cell_angle = 3.0 * degree;
 constexpr double widest_cell = 90.0 * degree;
+/// On the wide side of an eccentric gap, where angles are largest.
+constexpr double widest_eccentric_cell = 6.0 * degree;
 
-MeshExtent extent_for(const MeshSettings& settings) {
+double stretch_of(const MeshDomain& domain) {
+    const Outline& gap = domain.outlines.front();
+    return EccentricAnnulus(gap.points[0].r, gap.points[1].r, domain.offset).largest_stretch();
+}
+
+/// Around an eccentric bob no two directions are alike, and no circle is where the sweep puts it.
+void check_eccentric(const MeshSettings& settings) {
+    const auto refuse = [](const char* what, const char* allowed) {
+        throw MeshError(fmt::format("{} does not go with geometry.offset: {}", what, allowed));
+    };
+    if (settings.extent && *settings.extent != MeshExtent::full)
+        refuse("a part of the turn (mesh.extent, a section)",
+               "around an eccentric bob the flow is another in every direction; mesh.extent = "
+               "\"full\" is the one that there is");
+    if (settings.wedge_angle && *settings.wedge_angle < turn * (1 - 1e-12))
+        refuse("mesh.wedge_angle below 360 deg",
+               "around an eccentric bob the flow is another in every direction");
+    if (settings.cells == CellStyle::tetrahedra)
+        refuse("mesh.cells = \"tetrahedra\"", "\"hexahedra\" and \"prisms\" do");
+    if (settings.order.value_or(1) != 1)
+        refuse("mesh.order = 2", "its cells have straight edges, order = 1");
+    if (settings.vertices == VertexRadius::face)
+        refuse("mesh.vertices = \"face\"", "cells differ in angle, so vertices lie on the walls");
+}
+
+MeshExtent extent_for(const MeshDomain& domain, const MeshSettings& settings) {
+    if (domain.offset > 0.0) {
+        check_eccentric(settings);
+        return MeshExtent::full;
+    }
     if (settings.extent)
         return *settings.extent;
     if (!settings.wedge_angle || *settings.wedge_angle <= widest_wedge)
@@ -75,6 +107,8 @@ int angular_cells_for(const MeshChoices& choices, const MeshDomain& domain,
         const double length = domain.revolved ? choices.angle * outer_radius(domain)
                                               : domain.length * choices.angle / turn;
         double wanted = domain.revolved ? std::ceil(choices.angle / cell_angle * (1 - 1e-9)) : 40.0;
+        if (domain.offset > 0.0)
+            wanted = std::max(wanted, std::ceil(turn / widest_eccentric_cell * stretch_of(domain)));
         if (settings.cell_size)
             wanted = std::max(wanted, std::ceil(length / *settings.cell_size * (1 - 1e-9)));
         count = bounded_count(wanted, settings.most_cells, what);
@@ -94,7 +128,7 @@ int angular_cells_for(const MeshChoices& choices, const MeshDomain& domain,
 MeshChoices choices_in(const MeshDomain& domain, const MeshSubject& subject,
                        const MeshSettings& settings) {
     MeshChoices choices;
-    choices.extent = extent_for(settings);
+    choices.extent = extent_for(domain, settings);
     const bool is_profile = std::holds_alternative<Profile>(subject);
     choices.cells = settings.cells.value_or(is_profile ? CellStyle::prisms : CellStyle::hexahedra);
     choices.order = settings.order.value_or(1);

@@ -51,6 +51,7 @@ struct Draw {
         return {.outlines = {gap_outline(it.bob_radius, it.cup_radius, height, "bob", "cup",
                                          end_kind(settings))},
                 .gap = it.gap(),
+                .offset = it.offset,
                 .slice = {.height = height, .instrument_height = it.height}};
     }
     MeshDomain operator()(const Box& it) const {

@@ -22,8 +22,9 @@ struct MeshDomain {
     std::vector<Outline> outlines{}; ///< of the section; several where the gaps are not connected
     bool revolved = true;            ///< false: drawn out along the flow (box)
     double length{};                 ///< of a box along the flow, m
-    double gap{};                    ///< narrowest distance between rotor and cup, m
-    Slice slice;                     ///< angle 2 pi; the extent is not yet in it
+    double gap{};    ///< narrowest distance between rotor and cup, m; of an eccentric bob the mean
+    double offset{}; ///< of the rotor's axis, which the sweep is about, from the cup's, m
+    Slice slice;     ///< angle 2 pi; the extent is not yet in it
 };
 
 /// Names of a double gap's rotor walls: beside the post, beside the cup.

@@ -12,8 +12,9 @@ namespace searle::rheometry {
 struct EndEffect {
     double speed{};      ///< rad/s
     double shear_rate{}; ///< 1/s, at the conversion's definition
-    double end_factor{}; ///< c_L
-    double error{};      ///< estimate of its numerical error, absolute
+    /// c_L of the creeping flow; of an engine that solves the whole flow alone as `with_inertia`.
+    double end_factor{};
+    double error{}; ///< estimate of its numerical error, absolute
     /// Bounds of c_L from the energies, nan where it was interpolated between other speeds.
     double lower{};
     double upper{};

@@ -49,11 +49,11 @@ bool needs_secondary_flow(const Scene& scene, const Forecast& forecast) {
            });
 }
 
-/// Vortices past the onset are solved in gaps whose ends are left out; with a yield stress the
-/// onset is an estimate and nothing here follows what comes after it.
+/// Vortices past the onset are solved in gaps whose ends are left out; with a yield stress nothing
+/// here follows what comes after it.
 bool needs_vortices(const Scene& scene, const Forecast& forecast) {
-    return is_endless_gap(scene) && scene.solver.model != Model::radial &&
-           scene.solver.secondary_flow != Switch::off &&
+    return is_endless_gap(scene) && !geometry::is_eccentric(scene.instrument) &&
+           scene.solver.model != Model::radial && scene.solver.secondary_flow != Switch::off &&
            !(laws::flow::yield_stress(scene.fluid.law) > 0.0) && forecast.taylor &&
            forecast.taylor->largest_ratio > 1.0;
 }

@@ -17,17 +17,23 @@ struct PlanItem {
 };
 
 /// Onset of Taylor vortices in the annulus with a turning bob or rotor inside and the cup at rest,
-/// with Re = R_bob omega d / nu.
+/// with Re = R_bob omega d / nu, nu that of the apparent viscosity at the bob's wall.
 struct TaylorOnset {
-    double critical_reynolds{}; ///< of a Newtonian fluid that fills the gap, exact
-    /// Largest Re of the protocol; for a non-Newtonian fluid with the viscosity of `basis`.
+    /// Of this fluid in the flow of the row with the largest Re / Re_critical. Where no row needs
+    /// the linear problem (basis says so) that of a Newtonian fluid that fills the gap.
+    double critical_reynolds{};
+    /// Re of that row; where critical_reynolds is a Newtonian fluid's, with the viscosity of
+    /// `basis`.
     double reynolds{};
     /// Axial wave number times gap at the onset.
     double wave_number{};
     /// Largest Re / Re_critical of the rows; where the gap is partly sheared, of the sheared layer.
     double largest_ratio{};
-    /// Shear rate (the conversion's) at the onset, 1/s: exact for a Newtonian fluid, else that of
-    /// the slowest row above the onset; absent when there is none.
+    double relative_error{}; ///< numerical, of the onset (critical_speed where there is one)
+    /// Speed of the bob or rotor at the onset, rad/s, also beyond the rows' speeds; absent where
+    /// none was found or looked for.
+    std::optional<double> critical_speed;
+    /// The conversion's shear rate at critical_speed, 1/s.
     std::optional<double> onset_shear_rate;
     std::string basis; ///< what the numbers rest on, a full sentence
 };

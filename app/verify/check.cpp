@@ -9,8 +9,8 @@ namespace searle::app::verify {
 const std::vector<Check>& all_checks() {
     static const std::vector<Check> checks = [] {
         std::vector<Check> all;
-        for (const auto& part :
-             {flow_law_checks(), gap_checks(), bob_checks(), reading_checks(), particle_checks()})
+        for (const auto& part : {flow_law_checks(), gap_checks(), onset_checks(), bob_checks(),
+                                 reading_checks(), particle_checks()})
             all.insert(all.end(), part.begin(), part.end());
         return all;
     }();

@@ -47,6 +47,7 @@ struct CheckResult {
 
 [[nodiscard]] std::vector<Check> flow_law_checks();
 [[nodiscard]] std::vector<Check> gap_checks();
+[[nodiscard]] std::vector<Check> onset_checks();
 [[nodiscard]] std::vector<Check> bob_checks();
 [[nodiscard]] std::vector<Check> reading_checks();
 [[nodiscard]] std::vector<Check> particle_checks();

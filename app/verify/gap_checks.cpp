@@ -1,9 +1,9 @@
 #include "app/verify/check.hpp"
+#include "laws/gap/eccentric_cylinders.hpp"
 #include "solvers/radial/annular_gap.hpp"
 #include "solvers/radial/gap_run.hpp"
 #include "solvers/radial/radial_solver.hpp"
 #include "solvers/radial/transient_levels.hpp"
-#include "solvers/stability/taylor_threshold.hpp"
 #include "verification/newtonian_start_up.hpp"
 #include "verification/regularised_finite_volumes.hpp"
 
@@ -62,6 +62,24 @@ Found double_gap_closed_form() {
         4.0 * pi * 1e-3 * 5.0 * gap.height *
         (r1 * r1 * r2 * r2 / (r2 * r2 - r1 * r1) + r3 * r3 * r4 * r4 / (r4 * r4 - r3 * r3));
     return {relative(steady_instrument_flow(gap, Newtonian{1e-3}, 5.0).torque, exact)};
+}
+
+/// Largest error of torque and force against Sommerfeld's bearing, r = 1.
+double off_sommerfeld(double gap) {
+    double worst = 0.0;
+    for (const double part : {0.1, 0.5, 0.9}) {
+        const laws::gap::EccentricCylinders it{1.0, 1.0 + gap, part * gap};
+        const double bearing = (2.0 + part * part) * std::sqrt(1.0 - part * part);
+        worst = std::max(
+            {worst,
+             relative(it.torque_factor(), 4.0 * pi / gap * (1.0 + 2.0 * part * part) / bearing),
+             relative(it.force_factor(), 12.0 * pi * part / (gap * gap * bearing))});
+    }
+    return worst;
+}
+
+Found eccentric_sommerfeld() {
+    return {off_sommerfeld(2.5e-4), order_of(off_sommerfeld(5e-4), off_sommerfeld(2.5e-4))};
 }
 
 Found box_closed_form() {
@@ -151,30 +169,11 @@ Found slurry_ramp_against_finite_volumes() {
     return {errors[2], order_of(errors[1], errors[2])};
 }
 
-Found taylor_onset() {
-    using solvers::stability::taylor_threshold;
-    return {std::max({std::abs(taylor_threshold(1.0).reynolds - 68.1863),
-                      std::abs(taylor_threshold(1.0 / 0.875 - 1.0).reynolds - 118.1571),
-                      std::abs(taylor_threshold(1.0 / 0.95 - 1.0).reynolds - 184.9856),
-                      std::abs(taylor_threshold(1.0).wave_number - 3.1625)})};
-}
-
-Found taylor_onset_thirty_digits() {
-    double worst = 0.0;
-    for (const auto& [gap, reynolds] :
-         {std::array{0.0005, 1841.70303886496}, std::array{1.0 / 14.0, 160.50432850405},
-          std::array{1.0, 68.1862683463863}, std::array{9.0, 140.492148428144}})
-        worst =
-            std::max(worst, relative(solvers::stability::taylor_threshold(gap).reynolds, reynolds));
-    return {worst};
-}
-
 } // namespace
 
 std::vector<Check> gap_checks() {
     const std::string steady = "tests/verification/steady_gap_test.cpp";
     const std::string transient = "tests/verification/transient_gap_test.cpp";
-    const std::string onset = "tests/solvers/stability_taylor_threshold_test.cpp";
     return {
         {.name = "gap-herschel-bulkley-values",
          .subject = "steady flow in a gap, Herschel-Bulkley, all and partly sheared",
@@ -216,6 +215,16 @@ std::vector<Check> gap_checks() {
          .file = steady,
          .test = "SteadyInstrument.box_force_is_stress_times_area_and_odd_in_the_speed",
          .run = box_closed_form},
+        {.name = "eccentric-sommerfeld",
+         .subject = "creeping flow around an eccentric bob, closed form: torque and side force",
+         .against = "Sommerfeld's bearing 1904, gaps of 1/1000 to 1/4000 of the radius",
+         .tolerance = 1e-3,
+         .origin = "the bearing's neglect of curvature, first order in the gap",
+         .least_order = 0.95,
+         .file = "tests/laws/eccentric_cylinders_test.cpp",
+         .test = "EccentricCylinders.a_narrow_gap_tends_to_sommerfelds_bearing_in_first_order_of_"
+                 "the_gap",
+         .run = eccentric_sommerfeld},
         {.name = "ramp-water-values",
          .subject = "flow in time in a gap: water from rest, 0 to 100 1/s in 35 s",
          .against = "checked eta_app/eta at 0.1, 0.5, 1, 5, 10 and 35 s to seven digits",
@@ -242,22 +251,6 @@ std::vector<Check> gap_checks() {
          .file = "tests/verification/independent_finite_volumes_test.cpp",
          .test = "IndependentMethod.regularised_finite_volumes_tend_to_the_solver_s_torque",
          .run = slurry_ramp_against_finite_volumes},
-        {.name = "taylor-onset",
-         .subject = "onset of Taylor vortices, R_bob/R_cup 0.5, 0.875 and 0.95",
-         .against = "published values 68.1863, 118.1571 and 184.9856, k d 3.1625",
-         .tolerance = 5e-5,
-         .origin = "half the values' last digit",
-         .file = onset,
-         .test = "TaylorThreshold.published_values_are_met",
-         .run = taylor_onset},
-        {.name = "taylor-onset-thirty-digits",
-         .subject = "onset of Taylor vortices in gaps of 0.05 % to nine radii",
-         .against = "Chebyshev collocation with 30 digits",
-         .tolerance = 3e-10,
-         .origin = "the resolution at which the solver stops",
-         .file = onset,
-         .test = "TaylorThreshold.ten_digits_agree_with_collocation_in_thirty_digits",
-         .run = taylor_onset_thirty_digits},
     };
 }
 

@@ -133,6 +133,10 @@ Drafting draw_single_gap(const geometry::ConcentricCylinders& instrument) {
         drawing.text({fluid.x, fluid.y}, RichText{"fluid"}, Anchor::middle);
     }
     draw_note(drawing, scale, height - 8.0, instrument.ends);
+    if (instrument.offset > 0.0)
+        drawing.text({width - 6.0, height - 38.0},
+                     RichText{"drawn with the bob in the middle, from which it is off"},
+                     Anchor::end, "halo soft small");
     return drawing;
 }
 

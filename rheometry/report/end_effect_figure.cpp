@@ -9,8 +9,12 @@
 namespace searle::rheometry::report {
 
 Figure end_effect_figure(const ReportInput& input) {
+    // An engine that solves the whole flow has one value a row, the inertia in it.
+    const bool is_whole = std::ranges::all_of(
+        input.ends, [](const EndEffect& row) { return row.with_inertia == row.end_factor; });
     Series computed;
-    computed.name = RichText{"computed, creeping flow"};
+    computed.name =
+        RichText{is_whole ? "computed, with secondary flow" : "computed, creeping flow"};
     computed.marker = Marker::circle;
     for (const EndEffect& row : input.ends) {
         computed.x.push_back(std::abs(row.shear_rate));
@@ -31,7 +35,7 @@ Figure end_effect_figure(const ReportInput& input) {
     with_inertia.marker = Marker::circle;
     with_inertia.colour = 2;
     for (const EndEffect& row : input.ends) {
-        if (std::isfinite(row.with_inertia)) {
+        if (!is_whole && std::isfinite(row.with_inertia)) {
             with_inertia.x.push_back(std::abs(row.shear_rate));
             with_inertia.y.push_back(row.with_inertia);
             with_inertia.error.push_back(row.with_inertia_error);

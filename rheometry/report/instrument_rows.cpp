@@ -46,6 +46,9 @@ struct Describe {
         out.length("Gap", "<i>d</i>", it.gap());
         out.number("Radius ratio", "<i>\u03b4</i> = <i>R</i><sub>cup</sub>/<i>R</i><sub>bob</sub>",
                    it.radius_ratio());
+        if (it.offset > 0.0)
+            out.length("Offset of the bob's axis from the cup's", "<i>e</i>", it.offset,
+                       "geometry.offset");
         const double area = std::numbers::pi * it.gap() * (it.cup_radius + it.bob_radius);
         out.add("Volume in the gap", "", volume_text(area * it.height));
         if (it.ends) {

@@ -15,7 +15,8 @@ constexpr double shortest_share = 1e-9;
 
 HistoryRun run_history(FlowLevel& level, const ScaledFluid& fluid, double reference_speed,
                        const rheometry::SpeedHistory& history, double tolerance,
-                       const ProgressSink& progress, const Eigen::VectorXd& rotor_profile) {
+                       const ProgressSink& progress, const Eigen::VectorXd& rotor_profile,
+                       long most_solves) {
     HistoryRun run;
     const double duration = history.duration();
     const std::vector<double>& rows = history.row_times;
@@ -38,7 +39,8 @@ HistoryRun run_history(FlowLevel& level, const ScaledFluid& fluid, double refere
             run.steps = stepper.steps();
             run.solves = stepper.solves();
             run.end_time = stepper.time() / reference_speed;
-            if (!taken) {
+            run.too_dear = run.solves > most_solves;
+            if (!taken || run.too_dear) {
                 level.set_state(stepper.state());
                 return run;
             }

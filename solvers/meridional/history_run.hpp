@@ -6,6 +6,7 @@
 #include "solvers/meridional/flow_stepper.hpp"
 #include "solvers/progress.hpp"
 
+#include <limits>
 #include <vector>
 
 namespace searle::solvers::meridional {
@@ -18,6 +19,7 @@ struct HistoryRun {
     double end_time{}; ///< s; the history's duration unless it got stuck
     long steps{};
     long solves{};
+    bool too_dear{}; ///< it ended because it took more than `most_solves`
 };
 
 /// @param level      its state is the flow before t = 0, in units of the reference speed; on return
@@ -26,10 +28,12 @@ struct HistoryRun {
 /// @param reference_speed  rad/s, > 0
 /// @param tolerance  of the velocity's error in one step, over the largest velocity
 /// @param rotor_profile  see StepperSettings
+/// @param most_solves  linear ones, after which the run ends where it is
 /// May throw Interrupted.
 [[nodiscard]] HistoryRun run_history(FlowLevel& level, const ScaledFluid& fluid,
                                      double reference_speed, const rheometry::SpeedHistory& history,
                                      double tolerance, const ProgressSink& progress,
-                                     const Eigen::VectorXd& rotor_profile = {});
+                                     const Eigen::VectorXd& rotor_profile = {},
+                                     long most_solves = std::numeric_limits<long>::max());
 
 } // namespace searle::solvers::meridional

@@ -169,6 +169,15 @@ bool SteadySecondaryFlow::reach(std::size_t index, double speed) {
 }
 
 InertiaFactor SteadySecondaryFlow::at(double speed, const ProgressSink& progress) {
+    if (!latest_ || latest_->first != speed) {
+        latest_.reset(); // may be left by an exception
+        const InertiaFactor found = solve_at(speed, progress);
+        latest_.emplace(speed, found);
+    }
+    return latest_->second;
+}
+
+InertiaFactor SteadySecondaryFlow::solve_at(double speed, const ProgressSink& progress) {
     InertiaFactor result;
     double before = 0.0;
     double change_before = 0.0;

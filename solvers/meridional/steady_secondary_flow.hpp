@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace searle::solvers::meridional {
@@ -36,7 +37,8 @@ public:
     SteadySecondaryFlow(const geometry::DinBob& bob, const laws::flow::AnyFlowLaw& law,
                         double density, double accuracy);
 
-    /// Best called with rising speeds. @param speed  rad/s, > 0. May throw Interrupted.
+    /// Best called with rising speeds; the speed of the last call costs nothing.
+    /// @param speed  rad/s, > 0. May throw Interrupted.
     [[nodiscard]] InertiaFactor at(double speed, const ProgressSink& progress = {});
 
     /// Of the flow that the last call found, at its speed.
@@ -56,6 +58,7 @@ private:
         return fluid_at(speed, rounding_of(level));
     }
     [[nodiscard]] double rounding_of(std::size_t level) const;
+    [[nodiscard]] InertiaFactor solve_at(double speed, const ProgressSink& progress);
     [[nodiscard]] Level& level(std::size_t index);
     /// The state of a level goes from one speed to another in as few steps as Newton's method
     /// allows; false where it gets stuck.
@@ -78,6 +81,7 @@ private:
     std::size_t first_level_{};            ///< the coarsest one that holds the flow
     std::optional<double> speed_of_first_; ///< of the state on it
     std::size_t last_level_{};
+    std::optional<std::pair<double, InertiaFactor>> latest_; ///< speed and result of the last call
     std::function<void()> report_; ///< of the call under way; may throw Interrupted
 };
 

@@ -1,6 +1,6 @@
 #include "solvers/meridional/steady_vortices.hpp"
 
-#include "solvers/stability/taylor_threshold.hpp"
+#include "solvers/stability/onset_curve.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,6 +21,7 @@ constexpr std::array<CellResolution, 6> resolutions{{{.degree = 5, .columns = 2,
 constexpr double unevenness = 2e-2;
 /// The way starts at this share of the onset.
 constexpr double start_share = 0.6;
+constexpr double onset_tolerance = 1e-2;
 constexpr double longest_stride = 1.05;
 constexpr double shortest_stride = 1.002;
 constexpr double path_tolerance = 1e-3;
@@ -39,8 +40,7 @@ SteadyVortices::SteadyVortices(const radial::AnnularGap& gap, double wavelength,
                                const laws::flow::AnyFlowLaw& law, double density)
     : gap_(gap), cell_{.gap = gap.outer_radius / gap.inner_radius - 1.0,
                        .height = 0.5 * wavelength / gap.inner_radius},
-      law_(law), density_(density),
-      critical_reynolds_(stability::taylor_threshold(cell_.gap).reynolds) {}
+      law_(law), density_(density) {}
 
 ScaledFluid SteadyVortices::fluid_at(double speed) const {
     const double wall_rate = radial::steady_gap_flow(gap_, law_, speed).inner_wall_rate;
@@ -57,10 +57,8 @@ SteadyVortices::Level& SteadyVortices::level(std::size_t index) {
 bool SteadyVortices::follow(Level& here, double to, double accuracy) {
     FlowLevel& flow = *here.flow;
     if (here.at_speed == 0.0 || here.at_speed > to) {
-        double slow = to;
-        while (fluid_at(slow).reynolds() * cell_.gap > start_share * critical_reynolds_) {
-            slow *= 0.9;
-        }
+        const auto onset = stability::critical_speed(gap_, law_, density_, to, onset_tolerance);
+        const double slow = onset ? std::min(to, start_share * onset->speed) : to;
         flow.start_from_rest();
         static_cast<void>(
             flow.solve_creeping(fluid_at(slow).material(0.0).law, path_tolerance * accuracy));

@@ -48,7 +48,6 @@ private:
     VortexCell cell_;
     laws::flow::AnyFlowLaw law_;
     double density_;
-    double critical_reynolds_; ///< R omega d / nu of a Newtonian fluid
     std::vector<Level> levels_;
     std::size_t first_level_{}; ///< the coarsest one that holds the flow
 };

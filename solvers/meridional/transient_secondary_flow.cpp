@@ -37,6 +37,13 @@ constexpr double creeping_tolerance = 1e-10; ///< of the energy
 /// Torques are judged against themselves, or against this share of the largest one.
 constexpr double least_scale = 1e-3;
 
+/// Linear solves times unknowns (about half a microsecond each) that a level may be expected to
+/// take, from the one before times `level_growth`; one that takes `most_overrun` times as many
+/// ends.
+constexpr double most_work = 6e7;
+constexpr double level_growth = 4.0;
+constexpr double most_overrun = 1.5;
+
 double largest_of(const std::vector<double>& values) {
     double largest = 0.0;
     for (const double value : values) {
@@ -100,7 +107,11 @@ TransientTorque transient_secondary_flow(const geometry::DinBob& bob,
     std::vector<double> change_before;
     const std::size_t rows = history.row_times.size();
     try {
+        double work = 0.0;
         for (const FlowResolution& resolution : resolutions) {
+            if (result.levels > 1 && level_growth * work > most_work) {
+                break;
+            }
             const ScaledFluid fluid(law, density, bob.bob_radius, reference_speed, wall_rate,
                                     rounding);
             FlowLevel level(bob, resolution);
@@ -124,7 +135,16 @@ TransientTorque transient_secondary_flow(const geometry::DinBob& bob,
                 level.set_state(rest(level.space()));
             }
             const HistoryRun run =
-                run_history(level, fluid, reference_speed, history, tolerance, progress);
+                run_history(level, fluid, reference_speed, history, tolerance, progress, {},
+                            static_cast<long>(most_overrun * most_work /
+                                              static_cast<double>(level.space().unknowns())));
+            result.linear_solves += run.solves;
+            work = static_cast<double>(run.solves) * static_cast<double>(level.space().unknowns());
+            if (run.too_dear && result.levels > 0) {
+                result.stopped =
+                    fmt::format("level {} took more work than a level may", result.levels + 1);
+                break;
+            }
             std::vector<double> torque;
             for (const double each : run.torque) {
                 torque.push_back(correction * scale * each);
@@ -134,13 +154,13 @@ TransientTorque transient_secondary_flow(const geometry::DinBob& bob,
             result.unknowns = level.space().unknowns();
             result.division = {level.lines(), level.space().degree()};
             result.time_steps = run.steps;
-            result.linear_solves += run.solves;
             const bool complete = torque.size() == rows;
             result.stopped =
                 complete ? std::string{}
-                         : fmt::format("the flow could not be followed beyond t = {:.4g} s: its "
-                                       "time steps became too short",
-                                       run.end_time);
+                         : fmt::format("the flow could not be followed beyond t = {:.4g} s: {}",
+                                       run.end_time,
+                                       run.too_dear ? "it took more work than a level may"
+                                                    : "its time steps became too short");
             const std::vector<double> before = std::exchange(result.torque, torque);
             const std::vector<double> change = level_changes(before, result.torque);
             const double largest = largest_of(result.torque);
@@ -161,7 +181,7 @@ TransientTorque transient_secondary_flow(const geometry::DinBob& bob,
             change_before = change;
             result.worst_relative_error = worst;
             result.reached = complete && result.levels > 1 && worst <= accuracy;
-            if (result.reached) {
+            if (result.reached || run.too_dear) {
                 break;
             }
             tolerance *= tolerance_fall;

@@ -6,7 +6,6 @@
 #include "solvers/plan_rows.hpp"
 #include "solvers/radial/transient_levels.hpp"
 #include "solvers/row_errors.hpp"
-#include "solvers/stability/taylor_threshold.hpp"
 #include "solvers/stability/vortex_torque.hpp"
 
 #include <fmt/format.h>
@@ -51,10 +50,9 @@ VortexGap gap_outside_rotor(const geometry::Instrument& instrument) {
     return {{gaps.radii[2], gaps.radii[3]}, gaps.height};
 }
 
-double wavelength_for(const Scene& scene, const VortexGap& outside) {
-    return scene.solver.vortex_wavelength.value_or(
-        2.0 * std::numbers::pi * outside.gap.width() /
-        stability::taylor_threshold(outside.relative_width()).wave_number);
+double wavelength_for(const Scene& scene, const Plan& plan, const VortexGap& outside) {
+    return scene.solver.vortex_wavelength.value_or(2.0 * std::numbers::pi * outside.gap.width() /
+                                                   plan.taylor.value().wave_number);
 }
 
 bool is_free_choice(const Scene& scene) { return scene.solver.model == Model::automatic; }
@@ -262,7 +260,7 @@ radial::RadialReport solve_with_vortices(const Scene& scene, const Plan& plan,
     }
     const radial::RadialReport laminar = report;
     const VortexGap outside = gap_outside_rotor(scene.instrument);
-    const double wavelength = wavelength_for(scene, outside);
+    const double wavelength = wavelength_for(scene, plan, outside);
     report.notes.push_back(fmt::format("Taylor vortices of the axial wavelength {:.4g} mm ({:.4g} "
                                        "gap widths).",
                                        1e3 * wavelength, wavelength / outside.gap.width()));

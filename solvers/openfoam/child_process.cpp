@@ -8,7 +8,9 @@
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -68,6 +70,31 @@ int exit_code_of(int status) {
     return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
+/// Wakes up when a child ends, or after a while; without the kernel's help (before Linux 5.3)
+/// always after the while.
+class EndSignal {
+public:
+    explicit EndSignal(pid_t child)
+        : handle_(static_cast<int>(syscall(SYS_pidfd_open, child, 0))) {}
+    ~EndSignal() {
+        if (handle_ >= 0)
+            close(handle_);
+    }
+    EndSignal(const EndSignal&) = delete;
+    EndSignal& operator=(const EndSignal&) = delete;
+
+    void wait_for(std::chrono::milliseconds while_) const {
+        pollfd watched{handle_, POLLIN, 0};
+        if (handle_ < 0)
+            std::this_thread::sleep_for(while_);
+        else
+            (void)poll(&watched, 1, static_cast<int>(while_.count()));
+    }
+
+private:
+    int handle_;
+};
+
 void end_group(pid_t child) {
     kill(-child, SIGTERM);
     for (int i = 0; i < 250; ++i) {
@@ -109,7 +136,7 @@ int run_program(const ChildProgram& program, const std::function<void()>& watch)
             waitpid(child, nullptr, 0);
         throw StartFailure(fmt::format("{}: {}", command.front(), std::strerror(cause)));
     }
-    auto pause = 1ms; // a short program is not waited for longer than it takes
+    const EndSignal end(child);
     for (;;) {
         int status = 0;
         const pid_t ended = waitpid(child, &status, WNOHANG);
@@ -123,8 +150,7 @@ int run_program(const ChildProgram& program, const std::function<void()>& watch)
             end_group(child);
             throw;
         }
-        std::this_thread::sleep_for(pause);
-        pause = std::min(pause * 2, 20ms);
+        end.wait_for(20ms);
     }
 }
 

@@ -1,6 +1,8 @@
 #include "solvers/openfoam/foam_plan.hpp"
 
+#include "geometry/eccentric_annulus.hpp"
 #include "laws/flow/flow_law.hpp"
+#include "laws/gap/eccentric_cylinders.hpp"
 #include "rheometry/conversion/conversion.hpp"
 #include "solvers/openfoam/installation.hpp"
 #include "solvers/openfoam/transport.hpp"
@@ -25,6 +27,13 @@ bool is_newtonian(const Scene& scene) {
 bool is_box(const Scene& scene) { return std::holds_alternative<geometry::Box>(scene.instrument); }
 
 bool is_endless(const Scene& scene) { return !geometry::has_ends(scene.instrument); }
+
+/// The single gap whose bob is off the cup's axis; null for everything else.
+const geometry::ConcentricCylinders* eccentric_gap(const Scene& scene) {
+    return geometry::is_eccentric(scene.instrument)
+               ? &std::get<geometry::ConcentricCylinders>(scene.instrument)
+               : nullptr;
+}
 
 void choose_application(const Scene& scene, const Plan& plan, FoamPlan& foam) {
     const bool is_series = std::holds_alternative<rheometry::SteadySpeeds>(rheometry::schedule(
@@ -121,12 +130,20 @@ void choose_time(const Scene& scene, const Plan& plan, FoamPlan& foam) {
     if (const auto* series = std::get_if<rheometry::SteadySpeeds>(&schedule)) {
         foam.speeds = *series;
         if (!plan.vortices) {
-            foam.iterations = geometry::has_ends(scene.instrument) ? 20'000 : 10'000;
+            foam.iterations =
+                geometry::has_ends(scene.instrument) || geometry::is_eccentric(scene.instrument)
+                    ? 20'000
+                    : 10'000;
             return;
         }
         throw UnsuitableScene("Taylor vortices need time to grow: OpenFOAM solves steady rows past "
                               "their onset as steps with a hold in seconds");
     }
+    if (conversion.end_factor_provisional)
+        throw UnsuitableScene(
+            "conversion.end_factor = \"computed\" takes c_L from steady rows with "
+            "solver.engine = \"openfoam\"; a protocol in time needs a number, or "
+            "engine = \"native\"");
     foam.history = std::get<rheometry::SpeedHistory>(schedule);
     if (foam.history.initial_speed != 0.0)
         foam.hold = settling_time(scene.instrument, scene.fluid, 0.0, foam.history.initial_speed,
@@ -153,17 +170,35 @@ void choose_time(const Scene& scene, const Plan& plan, FoamPlan& foam) {
                                           foam.history.duration() / *scene.solver.time_step));
 }
 
+/// Around an eccentric bob the pressure varies with the direction: levels refine that way, too.
+int coarsest_angular_cells(const Scene& scene, const geometry::ConcentricCylinders& gap,
+                           int levels) {
+    constexpr double widest = 12.0 * degree; // where the gap is wide, on the first level
+    const double stretch =
+        geometry::EccentricAnnulus(gap.bob_radius, gap.cup_radius, gap.offset).largest_stretch();
+    const double wanted = scene.mesh.angular_cells
+                              ? std::ldexp(*scene.mesh.angular_cells, 1 - levels)
+                              : std::max(48.0, 2.0 * std::numbers::pi / widest * stretch);
+    return std::max(4, 4 * static_cast<int>(std::ceil(std::min(wanted, 1e7) / 4.0 - 1e-9)));
+}
+
 void choose_mesh(const Scene& scene, FoamPlan& foam) {
     if (scene.mesh.cells_across_gap || scene.mesh.cell_size || scene.mesh.first_cell ||
         scene.solver.time_step) {
         foam.levels = 2; // the case's own numbers, and half of them to tell the error by
         foam.coarsest_cells = std::max(1, scene.mesh.cells_across_gap.value_or(40) / 2);
+        if (const auto* gap = eccentric_gap(scene))
+            foam.coarsest_angular_cells = coarsest_angular_cells(scene, *gap, foam.levels);
         return;
     }
-    const bool has_section = geometry::has_ends(scene.instrument) || foam.vortices;
+    const auto* eccentric = eccentric_gap(scene);
+    const bool has_section =
+        geometry::has_ends(scene.instrument) || foam.vortices || eccentric != nullptr;
     // Of a section each level costs four times the one before, in time eight times.
     foam.levels = !has_section ? 4 : foam.steady ? 3 : 2;
     foam.coarsest_cells = has_section ? 10 : 20;
+    if (eccentric != nullptr)
+        foam.coarsest_angular_cells = coarsest_angular_cells(scene, *eccentric, foam.levels);
 }
 
 } // namespace
@@ -191,6 +226,9 @@ FoamPlan plan_foam(const Scene& scene, const Plan& plan) {
     if (scene.solver.model == Model::radial)
         throw UnsuitableScene("solver.engine = \"openfoam\" has no radial model; model = \"auto\", "
                               "or engine = \"native\"");
+    if (geometry::is_eccentric(scene.instrument) && scene.solver.model == Model::axisymmetric)
+        throw UnsuitableScene("solver.model = \"axisymmetric\": the flow around an eccentric bob "
+                              "(geometry.offset) is not; model = \"auto\" or \"3d\"");
     FoamPlan foam;
     choose_application(scene, plan, foam);
     foam.vortices = plan.vortices && plan.taylor.has_value();
@@ -227,6 +265,9 @@ geometry::MeshSettings mesh_settings(const Scene& scene, const FoamPlan& plan, i
     if (is_box(scene)) {
         if (!mesh.angular_cells)
             mesh.angular_cells = 1;
+    } else if (plan.coarsest_angular_cells > 0) {
+        mesh.extent = geometry::MeshExtent::full;
+        mesh.angular_cells = plan.coarsest_angular_cells << level;
     } else {
         if (!mesh.wedge_angle && !mesh.extent) {
             if (scene.solver.model == Model::three_dimensional)
@@ -254,6 +295,26 @@ geometry::MeshSettings mesh_settings(const Scene& scene, const FoamPlan& plan, i
     return mesh;
 }
 
+namespace {
+
+void describe_offset(const geometry::ConcentricCylinders& gap, Plan& plan) {
+    const double ratio =
+        laws::gap::EccentricCylinders{gap.bob_radius, gap.cup_radius, gap.offset}.torque_ratio();
+    plan.items.push_back(
+        {"offset", true,
+         fmt::format("The bob's axis is {:.4g} mm, {:.4g} of the gap, off the cup's: a slice one "
+                     "cell high of the whole turn. A Newtonian fluid in creeping flow has {:.6g} "
+                     "times the torque of a centred bob (exact); forecasts of inertia, regime and "
+                     "the onset of Taylor vortices are those of the centred bob.",
+                     1e3 * gap.offset, gap.offset / gap.gap(), ratio)});
+    plan.warnings.push_back(
+        fmt::format("The conversion takes the bob as centred: by its offset of {:.4g} of the gap a "
+                    "Newtonian fluid in creeping flow reads {:.4g} % too thick.",
+                    gap.offset / gap.gap(), 100.0 * (ratio - 1.0)));
+}
+
+} // namespace
+
 void describe(const Scene& scene, const FoamPlan& foam, Plan& plan) {
     plan.model = fmt::format("openfoam {}", name_of(foam.application));
     const bool is_plane = is_endless(scene) && !foam.vortices && !scene.mesh.extent &&
@@ -261,9 +322,10 @@ void describe(const Scene& scene, const FoamPlan& foam, Plan& plan) {
     plan.model_reason = fmt::format(
         "OpenFOAM's {}: {}; {}; {} to {} cells across the gap{}.", name_of(foam.application),
         foam.application_reason,
-        is_box(scene) ? "one cell along the flow and the width"
-        : is_plane    ? "a wedge one cell thick and one cell high"
-                      : "the mesh of searle mesh",
+        is_box(scene)                     ? "one cell along the flow and the width"
+        : foam.coarsest_angular_cells > 0 ? "the whole turn, one cell high"
+        : is_plane                        ? "a wedge one cell thick and one cell high"
+                                          : "the mesh of searle mesh",
         mesh_settings(scene, foam, 0).cells_across_gap.value_or(0),
         mesh_settings(scene, foam, foam.levels - 1).cells_across_gap.value_or(0),
         foam.steady ? ""
@@ -274,6 +336,8 @@ void describe(const Scene& scene, const FoamPlan& foam, Plan& plan) {
          "Levels of twice the cells and half the time step follow each other until "
          "the difference of the last two, which is claimed as error, meets the "
          "asked accuracy."});
+    if (const auto* gap = eccentric_gap(scene))
+        describe_offset(*gap, plan);
     if (foam.viscosity_cap > 0.0)
         plan.items.push_back(
             {"yield surface", false,
@@ -283,9 +347,11 @@ void describe(const Scene& scene, const FoamPlan& foam, Plan& plan) {
                          100.0 * std::ranges::max(foam.cap_error.empty() ? std::vector{0.0}
                                                                          : foam.cap_error))});
     const double across = mesh_settings(scene, foam, 1).cells_across_gap.value_or(40);
-    const double cells = across * (foam.vortices                          ? across
-                                   : geometry::has_ends(scene.instrument) ? 15.0 * across
-                                                                          : 1.0);
+    const double cells =
+        across * (foam.vortices                          ? across
+                  : geometry::has_ends(scene.instrument) ? 15.0 * across
+                  : foam.coarsest_angular_cells > 0      ? 2.0 * foam.coarsest_angular_cells
+                                                         : 1.0);
     const double steps = foam.steady ? 2000.0 * static_cast<double>(foam.speeds.speeds.size())
                                      : (foam.hold + foam.history.duration()) /
                                            (0.5 * foam.coarsest_step) * foam.outer_corrections;

@@ -30,7 +30,10 @@ struct FoamPlan {
     int iterations{};          ///< most of simpleFoam for a row
     int levels{};              ///< most levels of refinement, >= 2
     int coarsest_cells{};      ///< across the gap, on the first level; twice that on each further
-    double coarsest_step{};    ///< s, on the first level; half of that on each further
+    /// Around an eccentric bob, on the first level, and twice that on each further; 0: as many on
+    /// all levels, for the flow is alike in every direction.
+    int coarsest_angular_cells{};
+    double coarsest_step{}; ///< s, on the first level; half of that on each further
     /// Taylor vortices are to grow: cells along the axis too, and a disturbance to grow from.
     bool vortices{};
     double vortex_height{}; ///< m, one vortex: half of the wavelength

@@ -18,6 +18,8 @@ inline constexpr std::string_view supported_version = "v1912";
 
 /// Debian's package that holds it.
 inline constexpr std::string_view package = "openfoam";
+/// Debian's package that holds mpirun.
+inline constexpr std::string_view mpi_package = "openmpi-bin";
 
 /// The first program of that name in PATH.
 [[nodiscard]] std::optional<std::filesystem::path> program_in_path(std::string_view program);

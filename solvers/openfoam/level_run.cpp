@@ -2,6 +2,7 @@
 
 #include "solvers/openfoam/case_folder.hpp"
 #include "solvers/openfoam/child_process.hpp"
+#include "solvers/openfoam/disk_space.hpp"
 #include "solvers/openfoam/level_reading.hpp"
 #include "solvers/openfoam/log_tail.hpp"
 #include "solvers/unsuitable_scene.hpp"
@@ -34,8 +35,17 @@ public:
             run_rows(result);
         else
             run_in_time(result);
-        if (is_parallel() && result.failure.empty())
-            (void)start({"reconstructPar", "-latestTime"}, "reconstructPar");
+        if (is_parallel() && result.failure.empty() &&
+            start({"reconstructPar", "-latestTime"}, "reconstructPar") != 0)
+            fail_if_disk_is_full("reconstructPar");
+    }
+    /// A program that found no room ends in any way, or not at all.
+    void fail_if_disk_is_full(const std::string& program) const {
+        if (disk_is_full(task_.folder))
+            throw DiskFull(fmt::format(
+                "{}: the disk is full, {} could not write. What is there is kept: with room "
+                "made, the same command goes on from there",
+                task_.folder.string(), program));
     }
 
 private:
@@ -74,9 +84,14 @@ private:
                 fmt::format("solver.processors = {}: the coarsest mesh has {} cells; at most one "
                             "process a cell",
                             task_.scene.solver.processors, cells));
-        if (start({"decomposePar"}, "decomposePar") != 0)
+        if (start({"decomposePar"}, "decomposePar") != 0) {
+            std::error_code ignored; // a part of them would pass for all
+            for (const fs::path& place : field_places())
+                fs::remove_all(place, ignored);
+            fail_if_disk_is_full("decomposePar");
             throw UnsuitableScene(fmt::format("decomposePar failed: {}",
                                               (task_.folder / "log.decomposePar").string()));
+        }
     }
 
     [[nodiscard]] std::vector<std::string> solver_command() const {
@@ -97,7 +112,6 @@ private:
     }
 
     void run_rows(LevelResult& result) {
-        set_control(task_.folder, "stopAt", "endTime");
         const auto rows = task_.plan.speeds.speeds.size();
         for (row_ = 0; row_ < rows && !result.interrupted && result.failure.empty(); ++row_) {
             if (row_is_finished(task_, row_))
@@ -105,6 +119,8 @@ private:
             const std::string end =
                 fmt::format("{}", (row_ + 1) * static_cast<std::size_t>(task_.plan.iterations));
             set_control(task_.folder, "endTime", end);
+            set_control(task_.folder, "stopAt", "endTime");
+            is_settled_ = false;
             note_end(start(solver_command(), application()), result);
             if (result.interrupted || !result.failure.empty())
                 return;
@@ -128,6 +144,7 @@ private:
         }
         if (code == 0)
             return;
+        fail_if_disk_is_full(application());
         const LogTail tail = log_tail(log());
         std::string why = code == 136 || code == 8
                               ? "a number grew beyond all bounds (floating-point exception)"
@@ -162,7 +179,30 @@ private:
         }
     }
 
+    /// The residual of a component that hardly flows may hang although nothing moves any more: a
+    /// row whose torque has stood still for a thousand iterations ends where it is.
+    void end_settled_row() {
+        constexpr int still = 1000;
+        constexpr double moves = 1e-10; // relative, over all of them
+        if (is_settled_)
+            return;
+        const std::string start =
+            fmt::format("{}", row_ * static_cast<std::size_t>(task_.plan.iterations));
+        const std::vector<LoadSample> loads = last_loads(task_.folder / "postProcessing/torque_bob",
+                                                         start, level_.component(), still + 200);
+        if (loads.size() < static_cast<std::size_t>(still))
+            return;
+        const auto [least, most] =
+            std::ranges::minmax(loads, {}, [](const LoadSample& load) { return load.value; });
+        if (!(most.value - least.value < moves * std::abs(most.value)))
+            return;
+        set_control(task_.folder, "stopAt", "writeNow");
+        is_settled_ = true;
+    }
+
     void look() {
+        if (task_.plan.steady)
+            end_settled_row();
         const LogTail tail = log_tail(log());
         const double done = tail.time.value_or(0.0);
         fraction_ = std::clamp(done / end_time(level_.facts()), 0.0, 1.0);
@@ -179,11 +219,16 @@ private:
     const LevelCase& level_;
     const ProgressSink& progress_;
     std::size_t row_ = 0;
+    bool is_settled_ = false; ///< the row was told to end
     double fraction_ = 0.0;
     std::string stage_ = "openfoam";
     Clock::time_point last_look_ = Clock::now();
     std::optional<Clock::time_point> stop_asked_;
 };
+
+std::size_t rows_of(const FoamPlan& plan) {
+    return plan.steady ? plan.speeds.speeds.size() : plan.history.row_times.size();
+}
 
 bool is_there(const fs::path& folder) { return fs::exists(folder / "system" / "controlDict"); }
 
@@ -207,11 +252,19 @@ LevelResult run_level(const LevelTask& task, const ProgressSink& progress) {
             task.folder.string(), fmt::join(changed, ", "), changed.size() == 1 ? "is" : "are"));
     }
     LevelResult ran;
-    LevelPrograms(task, level, progress).run(ran);
+    LevelPrograms programs(task, level, progress);
+    programs.run(ran);
     LevelResult result = read_results(task, level);
     result.interrupted = ran.interrupted;
     if (!ran.failure.empty())
         result.failure = ran.failure;
+    if (const std::size_t rows = rows_of(task.plan);
+        result.failure.empty() && !result.interrupted && result.torque.size() < rows) {
+        programs.fail_if_disk_is_full(std::string(name_of(task.plan.application)));
+        result.failure = fmt::format(
+            "{} ended without a fault, but its torques stop after row {} of {}; its case: {}.",
+            name_of(task.plan.application), result.torque.size(), rows, task.folder.string());
+    }
     return result;
 }
 

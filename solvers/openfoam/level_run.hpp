@@ -42,7 +42,8 @@ struct LevelTask {
 void prepare_level(const LevelTask& task);
 
 /// Writes the case where it is not there yet, runs it on from where it stands, and reads it.
-/// Throws UnsuitableScene where the folder holds a case that was changed by hand, StartFailure.
+/// Throws UnsuitableScene where the folder holds a case that was changed by hand, StartFailure,
+/// DiskFull.
 [[nodiscard]] LevelResult run_level(const LevelTask& task, const ProgressSink& progress);
 
 /// Reads a level that was run, wherever that was. Files that were changed since they were written

@@ -49,13 +49,17 @@ std::optional<double> number_of(const std::string& name) {
     return value;
 }
 
-std::vector<LoadSample> samples_in(const fs::path& file, LoadComponent component) {
+std::vector<LoadSample> samples_from(std::istream& stream, LoadComponent component) {
     std::vector<LoadSample> samples;
-    std::ifstream stream(file);
     for (std::string line; std::getline(stream, line);)
         if (const auto sample = sample_of(line, component))
             samples.push_back(*sample);
     return samples;
+}
+
+std::vector<LoadSample> samples_in(const fs::path& file, LoadComponent component) {
+    std::ifstream stream(file);
+    return samples_from(stream, component);
 }
 
 std::string_view file_name(LoadComponent component) {
@@ -84,6 +88,19 @@ std::vector<LoadSample> load_history(const fs::path& object_folder, LoadComponen
 std::vector<LoadSample> loads_since(const fs::path& object_folder, std::string_view start,
                                     LoadComponent component) {
     return samples_in(object_folder / start / file_name(component), component);
+}
+
+std::vector<LoadSample> last_loads(const fs::path& object_folder, std::string_view start,
+                                   LoadComponent component, int count) {
+    constexpr std::streamoff line_length = 256; // a time, nine numbers of 22 characters, brackets
+    std::ifstream stream(object_folder / start / file_name(component), std::ios::binary);
+    stream.seekg(0, std::ios::end);
+    const std::streamoff length = stream.tellg();
+    const std::streamoff from = length - count * line_length;
+    stream.seekg(std::max<std::streamoff>(0, from));
+    if (std::string half_a_line; from > 0)
+        std::getline(stream, half_a_line);
+    return samples_from(stream, component);
 }
 
 } // namespace searle::solvers::openfoam

@@ -104,11 +104,21 @@ public:
         results_.push_back(std::move(level));
         const LevelResult& last = results_.back();
         report_.linear_solves += last.steps;
-        if (!is_complete(last) && results_.size() > 1 &&
-            last.torque.size() < results_.front().torque.size())
-            results_.pop_back(); // the level before it has more to say
-        else
+        // Two levels that both finished say more than one that broke off; one alone tells no error.
+        const bool tells_first_error = !last.failure.empty() && results_.size() == 2;
+        if (!is_complete(last) && results_.size() > 1 && !tells_first_error &&
+            last.torque.size() < results_.front().torque.size()) {
+            results_.pop_back();
+            return;
+        }
+        take_last();
+        const bool is_doubtful =
+            !last.failure.empty() ||
+            (results_.size() > 1 && report_.worst_torque_imbalance > balance_limit);
+        if (is_doubtful && leave_out_nonsense() == 0 && results_.size() > 1) {
+            results_.pop_back();
             take_last();
+        }
     }
 
     [[nodiscard]] bool meets_accuracy() const {
@@ -121,6 +131,8 @@ public:
         report_.refinements = static_cast<int>(results_.size());
         if (!failure.empty())
             report_.notes.push_back(failure);
+        if (!left_out_.empty())
+            report_.notes.push_back(left_out_);
         if (results_.size() == 1 && !interrupted)
             report_.notes.emplace_back(
                 "Only one level was solved, so nothing tells its error: 100 % is claimed.");
@@ -141,6 +153,7 @@ private:
     }
 
     void take_last() {
+        left_out_.clear();
         const LevelResult& last = results_.back();
         const std::size_t count = results_.size();
         report_.history = history_of(scene_, plan_, foam_,
@@ -152,6 +165,26 @@ private:
         report_.unknowns = static_cast<long>(4 * last.cells);
         report_.time_steps = foam_.steady ? 0 : last.steps;
         report_.worst_torque_imbalance = last.imbalance.value_or(0.0);
+    }
+
+    /// A run that goes wrong grows without bounds before it ends: rows up to the last one whose
+    /// error is told and below half of its torque are kept.
+    /// @return how many
+    std::size_t leave_out_nonsense() {
+        std::vector<rheometry::TorqueRow>& rows = report_.history.rows;
+        const auto means_something = [](const rheometry::TorqueRow& row) {
+            return row.torque_error < 0.5 * std::abs(row.torque);
+        };
+        const auto last = std::find_if(rows.rbegin(), rows.rend(), means_something);
+        const auto kept = static_cast<std::size_t>(rows.rend() - last);
+        if (kept < rows.size()) {
+            left_out_ = kept + 1 < rows.size() ? fmt::format("Rows {} to {}", kept + 1, rows.size())
+                                               : fmt::format("Row {}", rows.size());
+            left_out_ += " of the run that went wrong are left out: nothing bounds their error.";
+            rows.resize(kept);
+            report_.worst_relative_error = worst_relative_error(rows);
+        }
+        return kept;
     }
 
     bool note_imbalance() {
@@ -174,6 +207,7 @@ private:
     const Plan& plan_;
     const FoamPlan& foam_;
     std::vector<LevelResult> results_;
+    std::string left_out_; ///< which rows, a sentence
     radial::RadialReport report_;
 };
 
@@ -210,7 +244,7 @@ radial::RadialReport solve_with_openfoam(const Scene& scene, const Plan& plan,
         if (!result.torque.empty() || levels.is_empty())
             levels.add(std::move(result));
         if (!failure.empty() && levels.is_empty())
-            throw OpenFoamFailed(failure);
+            throw OpenFoamFailed(failure + "; no row is kept, for nothing bounds their errors");
         if (interrupted || !failure.empty())
             return levels.report(interrupted, failure);
         if (levels.meets_accuracy())

@@ -29,7 +29,7 @@ public:
         const rheometry::SpeedHistory& history, const GapResolution& resolution)
         : shape_(shape), original_(original), history_(history),
           tolerance_(resolution.step_tolerance), steps_per_row_(resolution.steps_per_row),
-          most_solves_(resolution.most_solves),
+          most_assemblies_(resolution.most_assemblies),
           grid_(graded_grid(shape, resolution.layer, resolution.elements)),
           system_(shape, grid_, law) {
         const std::size_t count = system_.elements();
@@ -87,6 +87,7 @@ public:
         }
         run_.finished = alive;
         run_.linear_solves = system_.linear_solves();
+        run_.assemblies = system_.assemblies();
         const double gained = system_.momentum(velocity_) - initial_momentum_;
         run_.momentum_defect =
             transported_ > 0.0 ? std::abs(gained - delivered_) / transported_ : 0.0;
@@ -198,7 +199,7 @@ private:
             const double step =
                 steps_left > 1e9 ? std::min(step_, longest) : left / std::max(1.0, steps_left);
             if (run_.steps + run_.rejected > most_steps || step < 1e-15 * left ||
-                time_ + step == time_ || system_.linear_solves() > most_solves_) {
+                time_ + step == time_ || system_.assemblies() > most_assemblies_) {
                 return false;
             }
             if (between_steps_ && (run_.steps + run_.rejected) % steps_between_calls == 0) {
@@ -307,7 +308,7 @@ private:
     const rheometry::SpeedHistory& history_;
     double tolerance_;
     int steps_per_row_;
-    long most_solves_;
+    long most_assemblies_;
     std::vector<double> grid_;
     GapSystem<Law> system_;
     GapRun run_;

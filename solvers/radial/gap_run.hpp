@@ -16,7 +16,8 @@ struct GapResolution {
     double layer{};          ///< thickness for graded_grid, m
     int steps_per_row = 1;   ///< at least so many steps from row to row
     double step_tolerance{}; ///< local error of the flux in a step, relative to the largest flux
-    long most_solves = std::numeric_limits<long>::max(); ///< linear ones, after which it gives up
+    /// Evaluations of the law over the gap, after which it gives up.
+    long most_assemblies = std::numeric_limits<long>::max();
 };
 
 struct FluxField;
@@ -31,11 +32,12 @@ using RowSink = std::function<void(std::size_t row, const GapRow&)>;
 
 /// A gap's transient at one resolution.
 struct GapRun {
-    bool finished{}; ///< false: a step could not be taken, or most_solves are over; the rows before
-                     ///< it are good
+    bool finished{}; ///< false: a step could not be taken, or most_assemblies are over; the rows
+                     ///< before it are good
     long steps{};
     long rejected{};
     long linear_solves{};
+    long assemblies{};
     /// | change of momentum - integral of the flux difference | / integral of |flux| over time. The
     /// scheme conserves momentum identically, so this checks the bookkeeping, not the flow.
     double momentum_defect{};

@@ -100,6 +100,7 @@ double GapSystem<Law>::momentum_size(const VelocityField& velocity) const {
 template <class Law>
 void GapSystem<Law>::assemble(const VelocityField& start, double theta, std::array<double, 2> wall,
                               const FluxField& flux) {
+    ++assemblies_;
     std::fill(node_residual_.begin(), node_residual_.end(), 0.0);
     std::fill(diagonal_.begin(), diagonal_.end(), 0.0);
     node_residual_.front() += wall[0];

@@ -43,6 +43,8 @@ public:
     [[nodiscard]] std::size_t elements() const { return element_.size(); }
     [[nodiscard]] const Law& law() const { return law_; }
     [[nodiscard]] long linear_solves() const { return linear_solves_; }
+    /// Evaluations of the flow law over all elements, line searches included: what takes the time.
+    [[nodiscard]] long assemblies() const { return assemblies_; }
     /// Rounding error of the flux, relative: grows where a step is long against the time momentum
     /// takes through an element, since the velocity then hangs on differences of nearly equal
     /// fluxes.
@@ -89,6 +91,7 @@ private:
     double added_compliance_ = 0.0; ///< 1/(Pa s) scale of the homotopy; 0 for the true equations
     std::vector<GapElement> element_;
     long linear_solves_ = 0;
+    long assemblies_ = 0;
     double stiffness_ = 0.0;  ///< theta times the largest inverse mass of the last assembly
     double compliance_ = 0.0; ///< integral of d rate / d flux over the gap, of the last assembly
 

@@ -24,10 +24,10 @@ constexpr int order = 4;
 constexpr double steepening = 4.0;
 constexpr int most_levels = 9;
 constexpr int most_elements = 20000;
-/// Element solves (a tenth of a microsecond each, a whole one where powers are taken) that a
-/// further level may be expected to cost; a level takes four to eight times those of the one
-/// before.
-constexpr double most_element_solves = 2e7;
+/// Evaluations of the law in an element (a tenth of a microsecond each, half of one where powers
+/// are taken) that a further level may be expected to cost; a level takes four to eight times as
+/// many assemblies as the one before.
+constexpr double most_evaluations = 3e7;
 constexpr double level_growth = 6.0;
 /// A level that takes this many times what is expected of it, or what may be expected at most, has
 /// a step that it cannot get past.
@@ -55,11 +55,12 @@ struct Level {
     double momentum_defect{};
     long steps{};
     long linear_solves{};
+    long assemblies{}; ///< evaluations of the law over a gap
 };
 
 Level run_level(std::span<const RotorGap> gaps, const laws::flow::AnyFlowLaw& law,
                 const rheometry::SpeedHistory& history, std::span<const double> layers,
-                int elements, int steps_per_row, double tolerance, long most_solves,
+                int elements, int steps_per_row, double tolerance, long most_assemblies,
                 const std::function<void(double)>& at) {
     Level level;
     const std::size_t rows = history.row_times.size();
@@ -80,7 +81,7 @@ Level run_level(std::span<const RotorGap> gaps, const laws::flow::AnyFlowLaw& la
                  .layer = layers[g],
                  .steps_per_row = steps_per_row,
                  .step_tolerance = tolerance,
-                 .most_solves = most_solves - level.linear_solves},
+                 .most_assemblies = most_assemblies - level.assemblies},
                 [&](std::size_t row, const GapRow& found) {
                     flux.push_back(found.flux);
                     level.rounding[row] = std::max(level.rounding[row], found.rounding);
@@ -91,6 +92,7 @@ Level run_level(std::span<const RotorGap> gaps, const laws::flow::AnyFlowLaw& la
             level.momentum_defect = std::max(level.momentum_defect, run.momentum_defect);
             level.steps += run.steps;
             level.linear_solves += run.linear_solves;
+            level.assemblies += run.assemblies;
         } catch (const Interrupted&) {
             level.interrupted = true;
         }
@@ -285,7 +287,7 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
     TransientTorque result;
     std::vector<double> coarse;
     std::vector<double> earlier;
-    long most_solves = std::numeric_limits<long>::max();
+    long most_assemblies = static_cast<long>(most_overrun * most_evaluations / elements);
     for (int level = 0; level < most_levels; ++level) {
         const std::string stage = "level " + std::to_string(level + 1) + ", " +
                                   std::to_string(elements) + " elements across the gap";
@@ -296,7 +298,7 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
         };
         Level found =
             run_level(gaps, law, history, layers, elements, steps_per_row << std::max(0, level - 1),
-                      tolerance, most_solves, at);
+                      tolerance, most_assemblies, at);
         result.linear_solves += found.linear_solves;
         result.levels = level + 1;
         if (found.interrupted || !found.finished) {
@@ -309,10 +311,11 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
             result.reached = false;
             break;
         }
-        if (level > 1)
-            most_solves = static_cast<long>(
-                std::min(most_overrun * level_growth * static_cast<double>(found.linear_solves),
-                         most_element_solves / elements));
+        // Of the next level, which has twice the elements.
+        const double expected = level_growth * static_cast<double>(found.assemblies);
+        const double allowed = most_evaluations / elements;
+        most_assemblies =
+            static_cast<long>(level > 1 ? std::min(most_overrun * expected, allowed) : allowed);
         result.torque = std::move(found.torque);
         result.momentum_defect = found.momentum_defect;
         result.elements = elements;
@@ -346,12 +349,9 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
             }
             earlier = std::move(difference);
             result.reached = level > 1 && result.worst_relative_error <= accuracy;
-            const double next_cost =
-                level_growth * static_cast<double>(found.linear_solves) * elements;
             // Finer grids only add rounding once it is the larger part of the bar.
             const bool rounded = level > 1 && worst_rounding > 0.3 * result.worst_relative_error;
-            if (result.reached || rounded || elements > most_elements / 2 ||
-                next_cost > most_element_solves) {
+            if (result.reached || rounded || elements > most_elements / 2 || expected > allowed) {
                 break;
             }
         } else {

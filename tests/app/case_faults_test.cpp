@@ -193,6 +193,20 @@ TEST(case_faults, contradiction_is_silent_where_a_value_is_faulty_already) {
     EXPECT_EQ(only_fault(with("cup_radius = \"15 mm\"\n", "")).problem, "is missing");
 }
 
+TEST(case_faults, eccentric_bob_keeps_off_the_cup_and_names_its_engine) {
+    const std::string height = "height = \"42 mm\"";
+    const std::string foam = "[solver]\nengine = \"openfoam\"\n";
+    const auto offset = [&](const std::string& keys) { return with(height, height + "\n" + keys); };
+    expect({offset("offset = \"1 mm\"") + foam, "geometry.offset", 6, "touch the cup", "below 1 mm",
+            ""});
+    expect({offset("offset = \"0.5 mm\""), "geometry.offset", 6, "bob in the middle",
+            "engine = \"openfoam\"", ""});
+    expect({offset("offset = \"0.5 mm\"\nends = true\nbottom_gap = \"5 mm\"") + foam,
+            "geometry.offset", 6, "without ends", "ends = false", ""});
+    EXPECT_TRUE(faults_of(offset("offset = \"0.99 mm\"") + foam).empty());
+    EXPECT_TRUE(faults_of(offset("offset = \"0 mm\"")).empty());
+}
+
 TEST(case_faults, double_gap_radii_increase) {
     const auto radii = [](const std::string& list) {
         return with(single_gap, "type = \"double-gap\"\nradii = " + list + "\nheight = \"55 mm\"");

@@ -169,6 +169,15 @@ TEST_F(Cases, figure_3) {
         }
 }
 
+TEST_F(Cases, taylor_vortices) {
+    const Rheogram rheogram = run_case("taylor-vortices");
+    ASSERT_EQ(rheogram.points.size(), 3u);
+    EXPECT_NEAR(rheogram.points[0].viscosity, water_viscosity, 1e-9);
+    // OpenFOAM's stresses with its error bars, 20 cells across the gap (docs/openfoam.md).
+    EXPECT_NEAR(rheogram.points[1].shear_stress, 0.05511, 0.0016);
+    EXPECT_NEAR(rheogram.points[2].shear_stress, 0.11269, 0.0032);
+}
+
 TEST_F(Cases, din_bob_water_checks_plans_and_converts) {
     const std::string file = (cases / "din-bob-water.toml").string();
     EXPECT_EQ(searle({"check", file}, folder.path()).exit_code, 0);

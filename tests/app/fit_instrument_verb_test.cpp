@@ -90,6 +90,14 @@ TEST_F(FitInstrumentVerb, json_holds_the_law_the_conventional_route_and_the_inve
     EXPECT_TRUE(found.at("loops").empty());
 }
 
+TEST_F(FitInstrumentVerb, an_eccentric_bob_is_refused) {
+    const Outcome outcome = searle({"fit", "lab.csv", "--case", "gap.toml", "--set",
+                                    "geometry.offset=1 mm", "--set", "solver.engine=openfoam"},
+                                   folder.path());
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_TRUE(holds(outcome.err, "geometry.offset")) << outcome.err;
+}
+
 TEST_F(FitInstrumentVerb, the_inversion_stands_in_the_table_and_as_csv) {
     const Outcome table = fit({"lab.csv", "--model", "power-law"});
     EXPECT_TRUE(holds(table.out, "without a law")) << table.out;

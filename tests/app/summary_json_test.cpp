@@ -40,7 +40,7 @@ RunSummary full_summary() {
                           .stress_per_torque = 1.0 / 3.0,
                           .rate_per_speed = 15.5,
                           .end_factor = 1.1};
-    summary.taylor = TaylorNumbers{185.0, 100.0, 3.13, "the viscosity"};
+    summary.taylor = TaylorNumbers{185.0, 100.0, 3.13, 17.5, "the viscosity"};
     summary.regimes = {{"laminar", 2}, {"laminar+lag", 1}};
     summary.plan = {{"inertia", true, "Large."}};
     summary.warnings = {"careful"};
@@ -61,6 +61,7 @@ TEST(SummaryJson, a_run_comes_back_bit_for_bit) {
     EXPECT_EQ(back.conversion.stress_per_torque, 1.0 / 3.0);
     EXPECT_EQ(back.completeness, Completeness::not_reached);
     EXPECT_EQ(back.taylor->critical_reynolds, 185.0);
+    EXPECT_EQ(back.taylor->onset_shear_rate, 17.5);
     EXPECT_EQ(back.origin.lines.at("geometry.bob_radius"), 7);
     EXPECT_EQ(back.plan.at(0).reason, "Large.");
 }

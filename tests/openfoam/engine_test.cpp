@@ -1,10 +1,8 @@
-#include "../app/running.hpp"
-#include "rheometry/rheogram_csv.hpp"
-#include "solvers/openfoam/installation.hpp"
-
-#include <gtest/gtest.h>
+#include "rheometry/end_effect.hpp"
+#include "running_cases.hpp"
 
 #include <cmath>
+#include <tuple>
 
 // The whole way through the installed OpenFOAM, on scenes whose answer is known. Skipped where it
 // is not installed.
@@ -15,30 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 using namespace testing;
 
-rheometry::Rheogram rheogram_in(const fs::path& folder) {
-    return rheometry::read_rheogram_csv(folder / "rheogram.csv").rheogram;
-}
-
-class OpenFoamEngine : public ::testing::Test {
+class OpenFoamEngine : public OpenFoamRuns {
 protected:
-    void SetUp() override {
-        if (!solvers::openfoam::find_installation())
-            GTEST_SKIP() << "OpenFOAM is not installed (package openfoam)";
-    }
-
-    /// Runs a case of cases/ with settings, in `folder`.
-    Outcome run_case(const std::string& name, const std::string& out,
-                     const std::vector<std::string>& settings) {
-        std::vector<std::string> words{"run", std::string(SEARLE_SOURCE_DIR) + "/cases/" + name,
-                                       "-o", out, "--quiet"};
-        for (const std::string& setting : settings) {
-            words.emplace_back("--set");
-            words.push_back(setting);
-        }
-        return run({.arguments = words, .directory = folder.path()});
-    }
-
-    TemporaryFolder folder;
     const std::vector<std::string> coarse{"solver.engine=openfoam", "solver.accuracy=0.01",
                                           "protocol.points=10"};
 };
@@ -163,6 +139,59 @@ TEST_F(OpenFoamEngine, the_defective_program_is_told_by_its_torques) {
     EXPECT_NE(text_of(folder / "defect/summary.json").find("nonNewtonianIcoFoam"),
               std::string::npos);
     EXPECT_NE(text_of(folder / "defect/summary.json").find("known defect"), std::string::npos);
+}
+
+TEST_F(OpenFoamEngine, c_L_of_a_din_bob_agrees_with_the_native_engine_in_a_wedge_and_in_3d) {
+    const std::string text =
+        text_of(std::string(SEARLE_SOURCE_DIR) + "/cases/openfoam-din-bob.toml");
+    write_text(folder / "bob.toml", text.substr(0, text.find("[[sweep.runs]]")));
+    for (const auto& [out, angle, cells] :
+         {std::tuple{"wedge", "1 deg", "1"}, std::tuple{"sector", "90 deg", "9"}}) {
+        const Outcome outcome =
+            run({.arguments = {"run", "bob.toml", "-o", out, "--quiet", "--set",
+                               "mesh.cells_across_gap=6", "--set", "solver.accuracy=0.02", "--set",
+                               std::string("mesh.wedge_angle=") + angle, "--set",
+                               std::string("mesh.angular_cells=") + cells},
+                 .directory = folder.path()});
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        // Creeping c_L of the standard geometry, 1.08868 (independent finite elements).
+        const auto ends = rheometry::read_end_effect_csv(folder / out / "end_factor.csv");
+        ASSERT_EQ(ends.size(), 1u);
+        EXPECT_NEAR(ends[0].end_factor, 1.08868, ends[0].error) << out;
+        EXPECT_LT(ends[0].error, 0.02);
+        // Converted with its own c_L a row reads the oil's 1 Pa s.
+        EXPECT_NEAR(rheogram_in(folder / out).points.at(0).viscosity, 1.0, 1e-9);
+    }
+}
+
+TEST_F(OpenFoamEngine, a_row_whose_torque_stands_still_ends_though_a_residual_hangs) {
+    write_text(folder / "ends.toml", R"([geometry]
+type = "single-gap"
+bob_radius = "14 mm"
+cup_radius = "15 mm"
+height = "42 mm"
+ends = true
+bottom_gap = "5 mm"
+[fluid]
+model = "newtonian"
+viscosity = "1 Pa.s"
+density = "1000 kg/m^3"
+[protocol]
+type = "steps"
+shear_rates = ["10 1/s"]
+hold = "steady"
+[solver]
+engine = "openfoam"
+accuracy = "2 %"
+[mesh]
+cells_across_gap = 20
+)");
+    const Outcome outcome = run(
+        {.arguments = {"run", "ends.toml", "-o", "ends", "--quiet"}, .directory = folder.path()});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    // One of the secondary flow's residuals, which is a part in 1e8 of the swirl, never falls.
+    const std::string log = text_of(folder / "ends.openfoam/level-2/log.simpleFoam");
+    EXPECT_EQ(log.find("\nTime = 5000\n"), std::string::npos);
 }
 
 TEST_F(OpenFoamEngine, a_case_changed_by_hand_is_not_gone_on_with) {

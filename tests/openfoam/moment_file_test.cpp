@@ -34,6 +34,23 @@ TEST(LoadHistory, folders_that_are_no_times_are_left_alone) {
     EXPECT_EQ(load_history(folder.path(), LoadComponent::moment_z).size(), 1u);
 }
 
+TEST(LastLoads, are_the_end_of_a_long_file_and_all_of_a_short_one) {
+    const TemporaryFolder folder;
+    std::string text = "# Moment\n";
+    const std::string other(200, '1'); // as long as OpenFOAM's lines are
+    for (int time = 1; time <= 1000; ++time)
+        text += std::to_string(time) + "\t(1 2 " + std::to_string(-time) + ")\t(0 0 " + other +
+                ")\t(1 2 3)\n";
+    write_text(folder / "0/moment.dat", text);
+    const auto last = last_loads(folder.path(), "0", LoadComponent::moment_z, 100);
+    ASSERT_GE(last.size(), 90u);
+    EXPECT_LE(last.size(), 130u);
+    EXPECT_EQ(last.back().time, 1000.0);
+    EXPECT_EQ(last.back().value, -1000.0);
+    EXPECT_EQ(last_loads(folder.path(), "0", LoadComponent::moment_z, 10'000).size(), 1000u);
+    EXPECT_TRUE(last_loads(folder.path(), "7", LoadComponent::moment_z, 10).empty());
+}
+
 TEST(LoadHistory, nothing_there_is_no_samples) {
     const TemporaryFolder folder;
     EXPECT_TRUE(load_history(folder / "none", LoadComponent::moment_z).empty());

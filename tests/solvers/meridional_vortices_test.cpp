@@ -4,6 +4,7 @@
 #include "solvers/meridional/vortex_cell.hpp"
 #include "solvers/meridional/vortex_run.hpp"
 #include "solvers/stability/taylor_threshold.hpp"
+#include "tests/solvers/vortex_growth.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,55 +15,23 @@
 namespace searle::solvers::meridional {
 namespace {
 
-class UnitViscosity final : public axisymmetric::EnergyDensity {
-public:
-    void slopes(const Eigen::ArrayXd& rate, Eigen::ArrayXd& secant,
-                Eigen::ArrayXd& tangent) const override {
-        secant.setOnes(rate.size());
-        tangent.setOnes(rate.size());
-    }
-};
-
 VortexCell critical_cell(double gap) {
-    return {.gap = gap,
-            .height = std::numbers::pi * gap / stability::taylor_threshold(gap).wave_number};
+    return cell_of(gap, stability::taylor_threshold(gap).wave_number);
 }
 
-/// Growth in a viscous time d^2 / nu of a small disturbance of circular Couette flow, by time
-/// steps.
 double growth_in_time(double gap, double gap_reynolds, const CellResolution& resolution) {
-    const VortexCell cell = critical_cell(gap);
-    const auto level = cell_level(cell, resolution);
     const UnitViscosity law;
-    const double reynolds = gap_reynolds / gap;
-    static_cast<void>(level->solve_creeping(law, 1e-14));
-    FlowState state = level->state();
-    const auto& position = level->space().swirl_space().position();
-    for (int node = 0; node < level->space().nodes(); ++node) {
-        state.velocity(node, 2) += 1e-4 *
-                                   std::sin(std::numbers::pi * (position(node, 0) - 1.0) / gap) *
-                                   std::cos(std::numbers::pi * position(node, 1) / cell.height);
-    }
-    const double viscous_time = gap * gap * reynolds;
-    FlowStepper stepper(level->system(), {law, reynolds}, state,
-                        {.tolerance = 1e-10, .first_step = 1e-2 * viscous_time});
-    stepper.begin({.start_time = 0.0, .speed = 1.0, .acceleration = 0.0});
-    const auto amplitude_at = [&](double time) {
-        while (stepper.time() < time) {
-            EXPECT_TRUE(stepper.step(time));
-        }
-        return stepper.state().velocity.col(1).cwiseAbs().maxCoeff();
-    };
-    const double early = amplitude_at(2.0 * viscous_time);
-    return std::log(amplitude_at(3.0 * viscous_time) / early);
+    return vortex_growth(critical_cell(gap), {law, gap_reynolds / gap}, gap * gap_reynolds,
+                         resolution);
 }
 
 /// Where the growth vanishes, between 1 % below and above the linear theory's onset.
 double onset_in_time(double gap, const CellResolution& resolution) {
     const double expected = stability::taylor_threshold(gap).reynolds;
-    const double below = growth_in_time(gap, 0.99 * expected, resolution);
-    const double above = growth_in_time(gap, 1.01 * expected, resolution);
-    return expected * (0.99 - 0.02 * below / (above - below));
+    return expected *
+           where_growth_vanishes(
+               [&](double share) { return growth_in_time(gap, share * expected, resolution); },
+               0.01);
 }
 
 /// The linear theory (stability/, itself held to published values: 68.1863, 118.1571, 184.9856 of
