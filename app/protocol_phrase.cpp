@@ -37,7 +37,10 @@ struct Phrase {
     }
     std::string operator()(const rheometry::Steps& steps) const {
         const std::string hold =
-            steps.hold ? fmt::format("held for {:.6g} s each", *steps.hold) : "each until steady";
+            steps.hold ? fmt::format("held for {:.6g} s each", *steps.hold)
+            : steps.hold_strain
+                ? fmt::format("held for a strain of {:.6g} each", *steps.hold_strain)
+                : "each until steady";
         if (steps.speeds.size() == 1)
             return fmt::format("one speed, {}, {}", with_unit(steps.speeds.front(), turning), hold);
         return fmt::format("{} speeds {}, {}", steps.speeds.size(),

@@ -130,8 +130,8 @@ casefile::Keys<OutputSettings> output_keys() {
     keys.key("fields", &OutputSettings::fields)
         .is_boolean()
         .example("false")
-        .says("Write the flow in the section to fields/ (.vtu), and draw it in the report; of a "
-              "suspension its microstructure (.csv).");
+        .says("Write and draw the flow in the section (fields/, .vtu); of particles: structure "
+              "(.csv).");
     keys.key("field_rows", &OutputSettings::field_rows)
         .is_integer()
         .at_least("1")
@@ -145,8 +145,8 @@ casefile::Keys<OutputSettings> output_keys() {
         .at_most("1000")
         .example("0.1")
         .not_in_new()
-        .says("Of a suspension: strain from frame to frame of the trajectory, which is written "
-              "beside the result folder (.vtp, for ParaView and OVITO); without it none.");
+        .says("Of a suspension: strain between frames (.vtp, for ParaView and OVITO); absent: no "
+              "frames.");
     return keys;
 }
 
