@@ -12,22 +12,29 @@ namespace {
 
 namespace fit = searle::rheometry::fit;
 
-/// Herschel-Bulkley data with 2 % of scatter.
-fit::FlowData scattered(unsigned seed) {
+/// Data with 2 % of scatter: Herschel-Bulkley's, or, for laws with plateaus, a Cross fluid's with
+/// both plateaus among the data. Plateaus that lie outside of them are valleys without a bottom,
+/// where the place of the minimum is a matter of rounding.
+fit::FlowData scattered(unsigned seed, bool has_plateaus = false) {
     std::mt19937_64 engine(seed);
     std::normal_distribution<double> normal;
     fit::FlowData data;
-    data.rates = fit::spread_rates(0.1, 1000.0, 25);
-    data.lines.assign(25, 0);
-    for (const double rate : data.rates)
-        data.stresses.push_back((5.0 + 0.9 * std::pow(rate, 0.55)) * (1.0 + 0.02 * normal(engine)));
+    data.rates = fit::spread_rates(has_plateaus ? 1e-3 : 0.1, has_plateaus ? 1e5 : 1000.0, 41);
+    data.lines.assign(data.rates.size(), 0);
+    for (const double rate : data.rates) {
+        const double stress =
+            has_plateaus ? rate * (0.05 + (10.0 - 0.05) / (1.0 + std::pow(2.0 * rate, 0.7)))
+                         : 5.0 + 0.9 * std::pow(rate, 0.55);
+        data.stresses.push_back(stress * (1.0 + 0.02 * normal(engine)));
+    }
     return data;
 }
 
 // Against the general solver (Ceres), from a start that is off by a factor; every law.
 TEST(NearbySearch, finds_the_minimum_of_the_general_search) {
-    const fit::FlowData data = scattered(1);
     for (const fit::Model& law : fit::models()) {
+        const fit::FlowData data =
+            scattered(1, law.name == "carreau-yasuda" || law.name == "cross");
         const fit::FitResult known = fit::fit_flow_curve(law, data, {});
         const fit::FlowCurveModel forward(law, data.rates);
         const fit::WeightedResiduals residuals(forward, data.stresses, {},
@@ -40,11 +47,7 @@ TEST(NearbySearch, finds_the_minimum_of_the_general_search) {
         const fit::Minimum found =
             fit::minimise_nearby(problem, start, {.relative_decrease = 1e-12});
         EXPECT_TRUE(found.converged) << law.name;
-        // Laws whose plateaus lie outside of the data have valleys without a bottom; a profile
-        // needs the rise to a few parts in 1000 only.
-        const bool has_plateaus = law.name == "carreau-yasuda" || law.name == "cross";
-        EXPECT_NEAR(found.sum_of_squares / known.sum_of_squares, 1.0, has_plateaus ? 1e-3 : 1e-6)
-            << law.name;
+        EXPECT_NEAR(found.sum_of_squares / known.sum_of_squares, 1.0, 1e-6) << law.name;
     }
 }
 
