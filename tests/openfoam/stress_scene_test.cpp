@@ -28,7 +28,7 @@ TEST(OpenFoamStress, a_scene_is_held_to_the_truth_of_the_native_engine) {
                  "[\"10 1/s\"]\nhold = \"steady\"\n[solver]\naccuracy = 1e-2\nengine = "
                  "\"openfoam\"\n",
          .physical = true},
-        120.0, {});
+        600.0, {}); // half of it is the clock's, on a machine that may be busy
     EXPECT_EQ(trial.verdict, Verdict::right) << trial.reason;
     EXPECT_EQ(trial.truth, "50 digits");
     EXPECT_LE(trial.worst_ratio, 1.0);
