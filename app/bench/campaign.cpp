@@ -183,7 +183,7 @@ private:
             result_.points.push_back({.code = "CFDEMcoupling + LIGGGHTS",
                                       .setting = "as the paper: 512 cells, step 1e-9 s",
                                       .cpu_median = 1430.0,
-                                      .remark = "measured earlier on a processor like this one"});
+                                      .remark = "measured earlier on another machine"});
         const double dense = scene_.name == "suspension-dense"            ? 85.0
                              : scene_.name == "suspension-dense-friction" ? 178.0
                                                                           : 0.0;
@@ -191,7 +191,7 @@ private:
             result_.points.push_back({.code = "LF_DEM",
                                       .setting = "lubrication and contacts, overdamped",
                                       .cpu_median = dense,
-                                      .remark = "measured earlier on a processor like this one"});
+                                      .remark = "measured earlier on another machine"});
     }
 
     /// `searle run` from its start to the report in the folder.
