@@ -8,6 +8,7 @@
 #include "solvers/meridional/transient_secondary_flow.hpp"
 #include "solvers/radial/annular_gap.hpp"
 #include "solvers/row_errors.hpp"
+#include "solvers/stability/vortex_torque.hpp"
 
 #include <fmt/format.h>
 
@@ -51,8 +52,11 @@ void doubt_vortices(const Scene& scene, const Plan& plan, radial::RadialReport& 
         }
         ++count;
         if (scene.solver.model == Model::automatic) {
+            const double vortices = stability::vortex_torque_ratio(
+                bob_of(scene).radius_ratio() - 1.0, plan.rows[k].taylor_ratio);
             rows[k].torque_error +=
-                std::min(1.0, torque_slope_past_onset * beyond) * std::abs(rows[k].torque);
+                std::max(std::min(1.0, torque_slope_past_onset * beyond), vortices - 1.0) *
+                std::abs(rows[k].torque);
         }
     }
     if (count > 0) {

@@ -44,6 +44,12 @@ constexpr double least_share = 0.6;
 constexpr double earlier_share = 0.1;
 /// A thickening fluid's Reynolds number may not fall with the speed.
 constexpr int most_halvings = 40;
+/// Factorisations times unknowns at one speed, some ten seconds: several times what flows that are
+/// found have taken. Far past all onsets no level holds a steady flow, and each would creep on.
+constexpr double most_work = 2e6;
+/// Of it, where the onset of Taylor vortices is left this many times behind.
+constexpr double share_far_past_onset = 0.1;
+constexpr double far_past_onset = 10.0;
 
 /// @param before  the change of the level before; 0 where there is none
 double error_from_changes(double change, double before) {
@@ -112,6 +118,18 @@ double SteadySecondaryFlow::creeping_torque(std::size_t index, double speed) {
     return torque;
 }
 
+bool SteadySecondaryFlow::solve_steady(FlowLevel& flow, const FlowMaterial& material,
+                                       double tolerance) {
+    if (work_left_ < 0.0) {
+        return false;
+    }
+    const long before = flow.system().factorisations();
+    const bool solved = flow.solve_steady(material, tolerance, report_);
+    work_left_ -= static_cast<double>(flow.system().factorisations() - before) *
+                  static_cast<double>(flow.space().unknowns());
+    return solved;
+}
+
 bool SteadySecondaryFlow::follow(std::size_t index, double from, double to) {
     FlowLevel& flow = *level(index).flow;
     double at = from;
@@ -122,7 +140,7 @@ bool SteadySecondaryFlow::follow(std::size_t index, double from, double to) {
                                                                             : at / stride;
         const double tolerance = next == to ? newton_share * accuracy_ : path_tolerance;
         const ScaledFluid fluid = fluid_at(next, index);
-        if (flow.solve_steady(fluid.material(), tolerance, report_)) {
+        if (solve_steady(flow, fluid.material(), tolerance)) {
             at = next;
             continue;
         }
@@ -138,8 +156,7 @@ bool SteadySecondaryFlow::follow_inertia(std::size_t index, double speed) {
     const ScaledFluid fluid = fluid_at(speed, index);
     creep(index, speed);
     double share = std::min(1.0, easy_reynolds / fluid.reynolds());
-    while (
-        level(index).flow->solve_steady(fluid.material(share), newton_share * accuracy_, report_)) {
+    while (solve_steady(*level(index).flow, fluid.material(share), newton_share * accuracy_)) {
         if (share == 1.0) {
             return true;
         }
@@ -164,7 +181,7 @@ bool SteadySecondaryFlow::reach(std::size_t index, double speed) {
     }
     const ScaledFluid fluid = fluid_at(slow, index);
     creep(index, slow);
-    return flow.solve_steady(fluid.material(), newton_share * accuracy_, report_) &&
+    return solve_steady(flow, fluid.material(), newton_share * accuracy_) &&
            follow(index, slow, speed);
 }
 
@@ -183,10 +200,12 @@ InertiaFactor SteadySecondaryFlow::solve_at(double speed, const ProgressSink& pr
     double change_before = 0.0;
     int found = 0;
     const double gap = bob_.radius_ratio() - 1.0;
-    const bool is_past_onset = fluid_at(speed, smooth_rounding).reynolds() * gap >
-                               stability::taylor_threshold(gap).reynolds;
+    const double onsets = fluid_at(speed, smooth_rounding).reynolds() * gap /
+                          stability::taylor_threshold(gap).reynolds;
+    const bool is_past_onset = onsets > 1.0;
+    work_left_ = onsets > far_past_onset ? share_far_past_onset * most_work : most_work;
     const std::size_t most_levels = is_past_onset ? levels_past_onset : resolutions.size();
-    for (std::size_t index = first_level_; index < most_levels; ++index) {
+    for (std::size_t index = first_level_; index < most_levels && work_left_ > 0.0; ++index) {
         report_ = [&progress, index] {
             if (progress) {
                 progress(static_cast<double>(index) / resolutions.size(),
@@ -199,7 +218,7 @@ InertiaFactor SteadySecondaryFlow::solve_at(double speed, const ProgressSink& pr
         bool solved = false;
         if (found > 0) {
             flow.start_from(*levels_[index - 1].flow);
-            solved = flow.solve_steady(fluid.material(), newton_share * accuracy_, report_);
+            solved = solve_steady(flow, fluid.material(), newton_share * accuracy_);
         } else {
             solved = reach(index, speed);
             speed_of_first_.reset();

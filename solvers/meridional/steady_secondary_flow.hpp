@@ -59,6 +59,9 @@ private:
     }
     [[nodiscard]] double rounding_of(std::size_t level) const;
     [[nodiscard]] InertiaFactor solve_at(double speed, const ProgressSink& progress);
+    /// Newton's method on a level; false where it fails or this speed's work is used up.
+    [[nodiscard]] bool solve_steady(FlowLevel& flow, const FlowMaterial& material,
+                                    double tolerance);
     [[nodiscard]] Level& level(std::size_t index);
     /// The state of a level goes from one speed to another in as few steps as Newton's method
     /// allows; false where it gets stuck.
@@ -81,6 +84,7 @@ private:
     std::size_t first_level_{};            ///< the coarsest one that holds the flow
     std::optional<double> speed_of_first_; ///< of the state on it
     std::size_t last_level_{};
+    double work_left_{}; ///< factorisations times unknowns, of the call under way
     std::optional<std::pair<double, InertiaFactor>> latest_; ///< speed and result of the last call
     std::function<void()> report_; ///< of the call under way; may throw Interrupted
 };
