@@ -1,6 +1,7 @@
 #include "solvers/stability/layer_onset.hpp"
 
 #include "solvers/stability/layer_basis.hpp"
+#include "solvers/stability/marginal_problem.hpp"
 
 #include <boost/math/tools/minima.hpp>
 
@@ -23,80 +24,48 @@ namespace {
 /// where lambda = 2 L^4 (rho omega R_bob^2 / eta)^2.
 class LayerProblem {
 public:
-    LayerProblem(const ShearedLayer& layer, int modes) : guess_(Eigen::VectorXd::Ones(modes)) {
+    LayerProblem(const ShearedLayer& layer, int modes)
+        : problem_(matrices_of(layer, modes)),
+          is_falling_everywhere_((layer.rate - 2.0 * layer.rotation).minCoeff() > 0.0) {}
+
+    /// Largest 1/lambda > 0 at a wave number b; 0 if there is none.
+    double largest_inverse(double wave_number) {
+        return is_falling_everywhere_ ? problem_.largest_inverse(wave_number)
+                                      : problem_.largest_inverse_of_all(wave_number);
+    }
+
+private:
+    static MarginalProblem::Matrices matrices_of(const ShearedLayer& layer, int modes) {
         const LayerBasis basis = layer_basis(layer, modes);
         const double log_ratio = layer.depth;
         const double squared_log = log_ratio * log_ratio;
         const Eigen::ArrayXd weights = layer.grid->weights.array();
         const Eigen::ArrayXd radius = (log_ratio * layer.grid->position.array()).exp();
         const Eigen::ArrayXd square = radius.square();
-        const auto integral = [](const Eigen::MatrixXd& left, const Eigen::ArrayXd& weight,
-                                 const Eigen::MatrixXd& right) -> Eigen::MatrixXd {
-            return left.transpose() * weight.matrix().asDiagonal() * right;
-        };
         const Eigen::ArrayXd viscous = weights * layer.secant;
         const Eigen::MatrixXd bent = basis.clamped_curvature - squared_log * basis.clamped;
-        const Eigen::MatrixXd mixed = integral(bent, viscous, basis.clamped);
+        const Eigen::MatrixXd mixed = weighted_product(bent, viscous, basis.clamped);
         const Eigen::MatrixXd spread = basis.clamped_slope + log_ratio * basis.clamped;
-        bending_[0] = integral(bent, viscous / square, bent);
-        bending_[1] = mixed + mixed.transpose() +
-                      2.0 * (integral(basis.clamped_slope, viscous, basis.clamped_slope) +
-                             squared_log * integral(basis.clamped, viscous, basis.clamped) +
-                             integral(spread, viscous, spread));
-        bending_[2] = integral(basis.clamped, viscous * square, basis.clamped);
-        swirl_[0] =
-            integral(basis.pinned_slope, weights * layer.tangent * square, basis.pinned_slope);
-        swirl_[1] = integral(basis.pinned, viscous * square.square(), basis.pinned);
-        centrifugal_ =
-            integral(basis.clamped, weights * square * radius * layer.rotation, basis.pinned);
         const Eigen::ArrayXd falling = layer.rate - 2.0 * layer.rotation;
-        transport_ = integral(basis.pinned, weights * square * radius * falling, basis.clamped);
-        is_falling_everywhere_ = falling.minCoeff() > 0.0;
+        return {.bending = {weighted_product(bent, viscous / square, bent),
+                            mixed + mixed.transpose() +
+                                2.0 * (weighted_product(basis.clamped_slope, viscous,
+                                                        basis.clamped_slope) +
+                                       squared_log *
+                                           weighted_product(basis.clamped, viscous, basis.clamped) +
+                                       weighted_product(spread, viscous, spread)),
+                            weighted_product(basis.clamped, viscous * square, basis.clamped)},
+                .swirl = {weighted_product(basis.pinned_slope, weights * layer.tangent * square,
+                                           basis.pinned_slope),
+                          weighted_product(basis.pinned, viscous * square.square(), basis.pinned)},
+                .centrifugal = weighted_product(
+                    basis.clamped, weights * square * radius * layer.rotation, basis.pinned),
+                .transport = weighted_product(basis.pinned, weights * square * radius * falling,
+                                              basis.clamped)};
     }
 
-    /// Largest 1/lambda > 0 at a wave number b; 0 if there is none.
-    double largest_inverse(double wave_number) {
-        const double square = wave_number * wave_number;
-        const Eigen::LLT<Eigen::MatrixXd> bending(bending_[0] +
-                                                  square * (bending_[1] + square * bending_[2]));
-        const Eigen::LLT<Eigen::MatrixXd> swirl(swirl_[0] + square * swirl_[1]);
-        if (!is_falling_everywhere_) {
-            const Eigen::MatrixXd loop =
-                swirl.solve(transport_ * bending.solve(square * centrifugal_));
-            double largest = 0.0;
-            const Eigen::EigenSolver<Eigen::MatrixXd> spectrum(loop, false);
-            for (const std::complex<double>& value : spectrum.eigenvalues()) {
-                if (std::abs(value.imag()) <= 1e-9 * std::abs(value)) {
-                    largest = std::max(largest, value.real());
-                }
-            }
-            return largest;
-        }
-        // The inverse operators have positive kernels where the angular momentum falls outwards
-        // everywhere: the largest eigenvalue is simple, real and well apart.
-        double eigenvalue = 0.0;
-        for (int iteration = 0; iteration < 200; ++iteration) {
-            guess_.normalize();
-            const Eigen::VectorXd next =
-                swirl.solve(transport_ * bending.solve(square * (centrifugal_ * guess_)));
-            const double estimate = next.dot(guess_);
-            const bool settled = std::abs(estimate - eigenvalue) <= 1e-14 * std::abs(estimate);
-            eigenvalue = estimate;
-            guess_ = next;
-            if (settled) {
-                break;
-            }
-        }
-        return eigenvalue;
-    }
-
-private:
-    std::array<Eigen::MatrixXd, 3> bending_; ///< coefficients of 1, b^2, b^4
-    std::array<Eigen::MatrixXd, 2> swirl_;   ///< coefficients of 1, b^2
-    Eigen::MatrixXd centrifugal_;
-    Eigen::MatrixXd transport_;
-    Eigen::VectorXd guess_; ///< eigenvector of the last wave number: a good start for the next
-    bool is_falling_everywhere_{};
+    MarginalProblem problem_;
+    bool is_falling_everywhere_;
 };
 
 struct Minimum {

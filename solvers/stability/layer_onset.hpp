@@ -38,8 +38,8 @@ struct LayerOnset {
 
 /// Upper bound of rho gamma d^2 / (2 pi^2 mu), the energy that a disturbance can draw from the flow
 /// over what it must dissipate (Serrin 1959, Arch. Rational Mech. Anal. 3, 1, with the smallest of
-/// all secant and tangent viscosities in the layer and the largest rate): up to 1 no disturbance of
-/// any shape grows.
+/// all secant and tangent viscosities in the layer and the largest rate): up to 1 no axisymmetric
+/// disturbance grows.
 /// @param density  kg/m^3
 [[nodiscard]] double energy_ratio(const radial::AnnularGap& gap, const laws::flow::AnyFlowLaw& law,
                                   double speed, double density);
