@@ -109,6 +109,7 @@ std::optional<report::MeshDescription> mesh_of(const RunRecord& record) {
 
 std::string report_page(const RunRecord& record) {
     const RunSummary& summary = record.summary;
+    const auto particles = particles_of(record.source);
     const solvers::Scene& scene = record.source.scene;
     report::ReportInput input{
         .title = summary.title.empty() ? summary.origin.name : summary.title,
@@ -126,12 +127,12 @@ std::string report_page(const RunRecord& record) {
         .warnings = summary.warnings,
         .remarks = summary.remarks,
         .timings = {},
-        .solver_facts = facts_of(summary, particles_of(record.source)),
+        .solver_facts = facts_of(summary, particles),
         .mesh = mesh_of(record),
         .measured = {},
         .compared_with = {},
         .csv = record.csv.size() <= largest_embedded_csv ? record.csv : "",
-        .particles = particles_of(record.source),
+        .particles = particles,
         .ends = record.ends,
         .fields = record.fields};
     for (const PlanNote& note : summary.plan)

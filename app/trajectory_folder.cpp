@@ -89,11 +89,14 @@ std::string frame_text(const solvers::particles::ParticleStore& particles) {
             fmt::format_to(into, "{:.9g} {:.9g} {:.9g}\n", x[i], y[i], z[i]);
         close();
     };
+    const auto counted_from = [&](std::size_t first, std::string_view name) {
+        open("Int64", name, 1);
+        for (std::size_t k = 0; k < count; ++k)
+            fmt::format_to(into, "{}\n", first + k);
+        close();
+    };
     text += "<PointData>\n";
-    open("Int64", "id", 1);
-    for (std::size_t k = 0; k < count; ++k)
-        fmt::format_to(into, "{}\n", k);
-    close();
+    counted_from(0, "id");
     open("Float64", "radius", 1);
     for (const std::size_t i : place)
         fmt::format_to(into, "{:.9g}\n", particles.radius[i]);
@@ -103,14 +106,8 @@ std::string frame_text(const solvers::particles::ParticleStore& particles) {
     text += "</PointData>\n<Points>\n";
     vectors("points", particles.x, particles.y, particles.z);
     text += "</Points>\n<Verts>\n";
-    open("Int64", "connectivity", 1);
-    for (std::size_t k = 0; k < count; ++k)
-        fmt::format_to(into, "{}\n", k);
-    close();
-    open("Int64", "offsets", 1);
-    for (std::size_t k = 0; k < count; ++k)
-        fmt::format_to(into, "{}\n", k + 1);
-    close();
+    counted_from(0, "connectivity");
+    counted_from(1, "offsets");
     text += "</Verts>\n</Piece>\n</PolyData>\n</VTKFile>\n";
     return text;
 }

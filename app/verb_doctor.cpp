@@ -34,9 +34,9 @@ struct OptionalTool {
 };
 
 constexpr std::array optional_tools{
-    OptionalTool{"OpenFOAM", "pimpleFoam", "openfoam",
+    OptionalTool{"OpenFOAM", "pimpleFoam", solvers::openfoam::package,
                  "solver.engine = \"openfoam\", searle compare"},
-    OptionalTool{"mpirun", "mpirun", "openmpi-bin", "solver.processors above 1"},
+    OptionalTool{"mpirun", "mpirun", solvers::openfoam::mpi_package, "solver.processors above 1"},
     OptionalTool{"rsvg-convert", "rsvg-convert", "librsvg2-bin", "pictures of meshes as .png"}};
 
 /// Version of an installed Debian package; empty where it is not known.

@@ -71,9 +71,10 @@ std::vector<double> judged(const RandomCase& scene, double limit) {
     // stopped as by a user, and what it has by then has to hold.
     const bool by_openfoam = source.scene.solver.engine == solvers::Engine::openfoam;
     const bool may_be_stopped = source.scene.particles || !scene.physical || by_openfoam;
+    RunKeeping keeping;
     std::optional<EngineScratch> scratch;
     if (by_openfoam)
-        scratch.emplace(source);
+        keeping.engine_folder = scratch.emplace(source).folder();
     const std::clock_t begin = std::clock();
     // OpenFOAM's time is not this process's.
     const auto wall_begin = std::chrono::steady_clock::now();
@@ -83,15 +84,13 @@ std::vector<double> judged(const RandomCase& scene, double limit) {
                          .count()
                    : static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     };
-    const SolvedCase solved =
-        solve_case(plan_case(std::move(source), StageClock()),
-                   [&](double, std::string_view) {
-                       if (may_be_stopped && seconds() > stopped_at * limit)
-                           throw solvers::Interrupted();
-                   },
-                   {.checkpointing = {},
-                    .frames = {},
-                    .engine_folder = scratch ? scratch->folder() : std::filesystem::path()});
+    const SolvedCase solved = solve_case(
+        plan_case(std::move(source), StageClock()),
+        [&](double, std::string_view) {
+            if (may_be_stopped && seconds() > stopped_at * limit)
+                throw solvers::Interrupted();
+        },
+        keeping);
     const double taken = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     if (taken > limit)
         throw Reason(Verdict::hung, fmt::format("took {:.0f} s", taken));

@@ -19,12 +19,13 @@ constexpr int last_degree = 32;
 constexpr double solution_share = 0.5;
 constexpr double interpolation_share = 0.3;
 
-/// What the levels there are come to at best: asking them for more costs time and brings nothing.
-double sharpest_accuracy(const laws::flow::AnyFlowLaw& law) {
+/// The asked accuracy, or what the levels there are come to at best: asking them for more costs
+/// time and brings nothing.
+double attainable(double accuracy, const laws::flow::AnyFlowLaw& law) {
     if (laws::flow::yield_stress(law) > 0.0) {
-        return 1e-5; // the rounding of the yield surface
+        return std::max(accuracy, 1e-5); // the rounding of the yield surface
     }
-    return std::holds_alternative<laws::flow::Newtonian>(law) ? 1e-8 : 1e-6;
+    return std::max(accuracy, std::holds_alternative<laws::flow::Newtonian>(law) ? 1e-8 : 1e-6);
 }
 
 } // namespace
@@ -33,9 +34,9 @@ InertiaFactorCurve::InertiaFactorCurve(const geometry::DinBob& bob,
                                        const laws::flow::AnyFlowLaw& law, double density,
                                        std::span<const double> speeds, double accuracy,
                                        const ProgressSink& progress)
-    : flow_(bob, law, density, solution_share * std::max(accuracy, sharpest_accuracy(law))) {
+    : flow_(bob, law, density, solution_share * attainable(accuracy, law)) {
     try {
-        solve_all(speeds, std::max(accuracy, sharpest_accuracy(law)), progress);
+        solve_all(speeds, attainable(accuracy, law), progress);
     } catch (const Interrupted&) {
         interrupted_ = true;
     }

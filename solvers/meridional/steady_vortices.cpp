@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace searle::solvers::meridional {
@@ -57,8 +58,12 @@ SteadyVortices::Level& SteadyVortices::level(std::size_t index) {
 bool SteadyVortices::follow(Level& here, double to, double accuracy) {
     FlowLevel& flow = *here.flow;
     if (here.at_speed == 0.0 || here.at_speed > to) {
-        const auto onset = stability::critical_speed(gap_, law_, density_, to, onset_tolerance);
-        const double slow = onset ? std::min(to, start_share * onset->speed) : to;
+        if (!start_speed_) {
+            const auto onset = stability::critical_speed(gap_, law_, density_, to, onset_tolerance);
+            start_speed_ =
+                onset ? start_share * onset->speed : std::numeric_limits<double>::infinity();
+        }
+        const double slow = std::min(to, *start_speed_);
         flow.start_from_rest();
         static_cast<void>(
             flow.solve_creeping(fluid_at(slow).material(0.0).law, path_tolerance * accuracy));

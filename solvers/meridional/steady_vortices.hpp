@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace searle::solvers::meridional {
@@ -48,6 +49,7 @@ private:
     VortexCell cell_;
     laws::flow::AnyFlowLaw law_;
     double density_;
+    std::optional<double> start_speed_; ///< of the way, rad/s, once known; the same on all levels
     std::vector<Level> levels_;
     std::size_t first_level_{}; ///< the coarsest one that holds the flow
 };
