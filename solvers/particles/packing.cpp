@@ -1,6 +1,7 @@
 #include "solvers/particles/packing.hpp"
 
 #include "solvers/particles/neighbour_list.hpp"
+#include "solvers/particles/pair_vector.hpp"
 #include "solvers/particles/random_numbers.hpp"
 
 #include <algorithm>
@@ -27,24 +28,21 @@ double push_apart(ParticleStore& p, const ShearBox& box, const NeighbourList& li
     for (std::size_t k = 0; k < list.size(); ++k) {
         const auto i = static_cast<std::size_t>(list.first[k]);
         const auto j = static_cast<std::size_t>(list.second[k]);
-        double dx = p.x[j] - p.x[i];
-        double dy = p.y[j] - p.y[i];
-        double dz = p.z[j] - p.z[i];
-        nearest(dx, dy, dz);
+        const PairVector between(p, nearest, i, j);
         const double contact = p.radius[i] + p.radius[j];
-        const double squared = dx * dx + dy * dy + dz * dz;
+        const double squared = between.squared_length();
         if (squared >= contact * contact)
             continue;
         const double r = std::max(std::sqrt(squared), 1e-6 * contact);
         const double overlap = contact - r;
         worst = std::max(worst, overlap / contact);
         const double push = 0.5 * overlap / r;
-        p.fx[i] -= push * dx;
-        p.fy[i] -= push * dy;
-        p.fz[i] -= push * dz;
-        p.fx[j] += push * dx;
-        p.fy[j] += push * dy;
-        p.fz[j] += push * dz;
+        p.fx[i] -= push * between.x;
+        p.fy[i] -= push * between.y;
+        p.fz[i] -= push * between.z;
+        p.fx[j] += push * between.x;
+        p.fy[j] += push * between.y;
+        p.fz[j] += push * between.z;
     }
     for (std::size_t i = 0; box.walls && i < p.size(); ++i) {
         const double below = p.radius[i] - p.y[i];

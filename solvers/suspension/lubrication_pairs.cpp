@@ -1,6 +1,7 @@
 #include "solvers/suspension/lubrication_pairs.hpp"
 
 #include "laws/lubrication/near_contact.hpp"
+#include "solvers/particles/pair_vector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,13 +66,10 @@ particles::PairSums gather_near_pairs(const particles::ParticleStore& p,
     for (std::size_t k = 0; k < list.size(); ++k) {
         const auto i = static_cast<std::size_t>(list.first[k]);
         const auto j = static_cast<std::size_t>(list.second[k]);
-        double dx = p.x[j] - p.x[i];
-        double dy = p.y[j] - p.y[i];
-        double dz = p.z[j] - p.z[i];
-        nearest(dx, dy, dz);
+        const particles::PairVector between(p, nearest, i, j);
         const double radii = p.radius[i] + p.radius[j];
         const double farthest = radii + std::max(0.5 * settings.farthest_gap * radii, reach);
-        const double squared = dx * dx + dy * dy + dz * dz;
+        const double squared = between.squared_length();
         if (squared >= farthest * farthest)
             continue;
         const double distance = std::sqrt(squared);
@@ -80,9 +78,9 @@ particles::PairSums gather_near_pairs(const particles::ParticleStore& p,
         pair.first = list.first[k];
         pair.second = list.second[k];
         pair.listed = static_cast<int>(k);
-        pair.nx = dx / distance;
-        pair.ny = dy / distance;
-        pair.nz = dz / distance;
+        pair.nx = between.x / distance;
+        pair.ny = between.y / distance;
+        pair.nz = between.z / distance;
         pair.distance = distance;
         pair.lever_first = distance * p.radius[i] / radii / settings.length_unit;
         pair.lever_second = distance * p.radius[j] / radii / settings.length_unit;

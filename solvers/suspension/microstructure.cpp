@@ -1,6 +1,7 @@
 #include "solvers/suspension/microstructure.hpp"
 
 #include "solvers/particles/neighbour_list.hpp"
+#include "solvers/particles/pair_vector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -72,18 +73,15 @@ void Microstructure::count_pairs(ParticleStore particles, ShearBox box) {
     for (std::size_t k = 0; k < list.size(); ++k) {
         const auto i = static_cast<std::size_t>(list.first[k]);
         const auto j = static_cast<std::size_t>(list.second[k]);
-        double dx = particles.x[j] - particles.x[i];
-        double dy = particles.y[j] - particles.y[i];
-        double dz = particles.z[j] - particles.z[i];
-        nearest(dx, dy, dz);
-        const double distance = std::sqrt(dx * dx + dy * dy + dz * dz);
+        const particles::PairVector between(particles, nearest, i, j);
+        const double distance = std::sqrt(between.squared_length());
         if (distance < particles.radius[i] + particles.radius[j]) {
             ++partners[i];
             ++partners[j];
         }
         const auto bin = static_cast<std::size_t>(distance / diameter / bin_width);
         if (bin < bins)
-            (dx * dy * box.shear_rate < 0.0 ? pressed_ : pulled_)[bin] += 1.0;
+            (between.x * between.y * box.shear_rate < 0.0 ? pressed_ : pulled_)[bin] += 1.0;
     }
     for (std::size_t i = 0; i < particles.size(); ++i) {
         if (box.walls)
