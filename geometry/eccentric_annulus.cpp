@@ -22,6 +22,10 @@ EccentricAnnulus::EccentricAnnulus(double inner, double outer, double offset)
     pole_ = 2.0 * m / (1.0 + std::sqrt(1.0 + 4.0 * m * m));
 }
 
+EccentricAnnulus::EccentricAnnulus(const Outline& gap, double offset)
+    : EccentricAnnulus(std::ranges::min(gap.points, {}, &SectionPoint::r).r,
+                       std::ranges::max(gap.points, {}, &SectionPoint::r).r, offset) {}
+
 Point EccentricAnnulus::placed(const Point& concentric) const {
     const double radius = std::hypot(concentric.x, concentric.y);
     // ln r runs from wall to wall in both gaps.
@@ -38,19 +42,14 @@ double EccentricAnnulus::largest_stretch() const {
 }
 
 OutlineMeasures eccentric_chord_measures(const Outline& outline, double offset, int cells) {
-    double inner = outline.points.front().r;
-    double outer = inner;
     double height = 0.0;
-    for (std::size_t edge = 0; edge < outline.edges.size(); ++edge) {
-        inner = std::min(inner, outline.start(edge).r);
-        outer = std::max(outer, outline.start(edge).r);
+    for (std::size_t edge = 0; edge < outline.edges.size(); ++edge)
         height = std::max(height, std::abs(outline.end(edge).z - outline.start(edge).z));
-    }
     struct Polygon {
         double length{};
         double area{};
     };
-    const EccentricAnnulus annulus(inner, outer, offset);
+    const EccentricAnnulus annulus(outline, offset);
     const auto polygon_at = [&](double radius) {
         Polygon polygon;
         const auto corner = [&](int at) {
@@ -65,14 +64,14 @@ OutlineMeasures eccentric_chord_measures(const Outline& outline, double offset, 
         }
         return polygon;
     };
-    const Polygon rotor = polygon_at(inner);
-    const Polygon cup = polygon_at(outer);
+    const Polygon rotor = polygon_at(annulus.inner());
+    const Polygon cup = polygon_at(annulus.outer());
     OutlineMeasures all = measures_of({outline});
     all.volume = (cup.area - rotor.area) * height;
     for (std::size_t edge = 0; edge < outline.edges.size(); ++edge) {
         const bool is_wall = outline.start(edge).r == outline.end(edge).r;
         all.patch_areas[outline.edges[edge].patch] = !is_wall ? cup.area - rotor.area
-                                                     : outline.start(edge).r == inner
+                                                     : outline.start(edge).r == annulus.inner()
                                                          ? rotor.length * height
                                                          : cup.length * height;
     }

@@ -18,6 +18,11 @@ public:
     /// 0 < inner < outer, 0 <= offset < outer - inner, all in m.
     EccentricAnnulus(double inner, double outer, double offset);
 
+    /// Of a gap's rectangle in r and z, the inner wall at the least radius.
+    EccentricAnnulus(const Outline& gap, double offset);
+
+    [[nodiscard]] double inner() const { return inner_; }
+    [[nodiscard]] double outer() const { return outer_; }
     /// Where a point of the concentric gap (inner <= r <= outer) comes to lie; z is kept. For
     /// offset 0 it stays.
     [[nodiscard]] Point placed(const Point& concentric) const;

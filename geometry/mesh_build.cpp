@@ -78,8 +78,7 @@ Mesh solid_of(Mesh section, const MeshDomain& domain, const MeshChoices& choices
                                                                          : Sweep::Ends::periodic;
     Mesh solid = swept(section, sweep);
     if (domain.offset > 0.0) {
-        const Outline& gap = domain.outlines.front();
-        const EccentricAnnulus annulus(gap.points[0].r, gap.points[1].r, domain.offset);
+        const EccentricAnnulus annulus(domain.outlines.front(), domain.offset);
         for (Point& point : solid.points)
             point = annulus.placed(point);
     }

@@ -23,8 +23,7 @@ constexpr double widest_cell = 90.0 * degree;
 constexpr double widest_eccentric_cell = 6.0 * degree;
 
 double stretch_of(const MeshDomain& domain) {
-    const Outline& gap = domain.outlines.front();
-    return EccentricAnnulus(gap.points[0].r, gap.points[1].r, domain.offset).largest_stretch();
+    return EccentricAnnulus(domain.outlines.front(), domain.offset).largest_stretch();
 }
 
 /// Around an eccentric bob no two directions are alike, and no circle is where the sweep puts it.
