@@ -2,6 +2,9 @@
 
 #include "solvers/meridional/history_run.hpp"
 #include "solvers/meridional/vortex_cell.hpp"
+#include "solvers/row_errors.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -22,10 +25,19 @@ constexpr double tolerance_fall = 0.2;
 constexpr double rounding = 1e-5;
 /// Torques are judged against themselves, or against this share of the fastest speed's.
 constexpr double least_scale = 1e-3;
+/// While vortices grow or die, the coarser of two levels may be late in the same way as the finer.
+constexpr double safety = 2.0;
+/// Linear solves times unknowns (about a microsecond each, with what a step costs besides) that a
+/// level may be expected to take, from the one before times `level_growth`, and at most may take.
+constexpr double most_work = 3e7;
+constexpr double level_growth = 4.0;
+constexpr double most_overrun = 1.5;
 
 HistoryRun run_level(FlowLevel& level, const VortexCell& cell, const ScaledFluid& fluid,
                      double reference_speed, const rheometry::SpeedHistory& history,
                      double tolerance, double disturbance, const ProgressSink& progress) {
+    const long most_solves =
+        static_cast<long>(most_overrun * most_work / static_cast<double>(level.space().unknowns()));
     FlowState profile = rest(level.space());
     disturb_rotor(cell, level.space(), disturbance, profile);
     const Eigen::VectorXd rotor =
@@ -40,7 +52,8 @@ HistoryRun run_level(FlowLevel& level, const VortexCell& cell, const ScaledFluid
         start.pressure.setZero();
     }
     level.set_state(std::move(start));
-    return run_history(level, fluid, reference_speed, history, tolerance, progress, rotor);
+    return run_history(level, fluid, reference_speed, history, tolerance, progress, rotor,
+                       most_solves);
 }
 
 } // namespace
@@ -59,31 +72,64 @@ VortexRun vortex_run(const radial::AnnularGap& gap, double wavelength,
     const double scale =
         2.0 * std::numbers::pi * std::pow(gap.inner_radius, 2) * fluid.stress_scale() / cell.height;
     double tolerance = first_tolerance * *std::ranges::max_element(accuracies);
+    double work = 0.0;
     for (const CellResolution& resolution : resolutions) {
+        if (result.levels > 1 && level_growth * work > most_work) {
+            result.stopped =
+                fmt::format("The vortices were followed on {} levels of resolution: the "
+                            "next would take more work than a level may.",
+                            result.levels);
+            break;
+        }
         const auto level = cell_level(cell, resolution);
-        const HistoryRun run = run_level(*level, cell, fluid, reference_speed, history, tolerance,
-                                         disturbance, progress);
-        const std::vector<double> before = std::exchange(result.torque, {});
-        result.error.clear();
+        HistoryRun run;
+        try {
+            run = run_level(*level, cell, fluid, reference_speed, history, tolerance, disturbance,
+                            progress);
+        } catch (const Interrupted&) {
+            if (result.levels < 2) {
+                throw;
+            }
+            result.interrupted = true;
+            break;
+        }
+        result.linear_solves += run.solves;
+        work = static_cast<double>(run.solves) * static_cast<double>(level->space().unknowns());
+        if (run.too_dear && result.levels > 0) {
+            result.stopped =
+                fmt::format("The vortices were followed on {} levels of resolution: the "
+                            "next took more work than a level may.",
+                            result.levels);
+            break;
+        }
+        result.stopped.clear();
+        if (run.torque.size() < history.row_times.size()) {
+            result.stopped = fmt::format(
+                "The vortices could not be followed beyond t = {:.4g} s: {}.", run.end_time,
+                run.too_dear ? "it took more work than a level may"
+                             : "time steps became too short");
+        }
+        std::vector<double> torque;
+        for (const double each : run.torque) {
+            torque.push_back(scale * each);
+        }
+        const std::vector<double> before = std::exchange(result.torque, torque);
+        const std::vector<double> change = level_changes(before, torque);
+        result.error.assign(torque.size(), 0.0);
         double worst = 0.0; // over what was asked
-        for (std::size_t k = 0; k < run.torque.size(); ++k) {
-            const double torque = scale * run.torque[k];
-            const double change =
-                k < before.size() ? std::abs(torque - before[k]) : std::abs(torque);
-            const double against =
-                std::max(std::abs(torque), least_scale * fastest.torque_per_length);
-            worst = std::max(worst, change / (against * accuracies[k]));
-            result.torque.push_back(torque);
-            result.error.push_back(change);
+        for (std::size_t k = 0; k < torque.size(); ++k) {
+            const double size = std::abs(torque[k]);
+            result.error[k] = k < change.size() ? safety * change[k] : size;
+            const double against = std::max(size, least_scale * fastest.torque_per_length);
+            worst = std::max(worst, result.error[k] / (against * accuracies[k]));
         }
         ++result.levels;
         result.elements = static_cast<int>(level->mesh().elements.size());
         result.unknowns = level->space().unknowns();
         result.time_steps = run.steps;
-        result.linear_solves += run.solves;
         result.reached =
             result.levels > 1 && result.torque.size() == history.row_times.size() && worst <= 1.0;
-        if (result.reached) {
+        if (result.reached || run.too_dear) {
             break;
         }
         tolerance *= tolerance_fall;

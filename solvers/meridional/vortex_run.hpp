@@ -6,6 +6,7 @@
 #include "solvers/radial/annular_gap.hpp"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace searle::solvers::meridional {
@@ -20,17 +21,21 @@ struct VortexRun {
     long unknowns{};
     long time_steps{};
     long linear_solves{};
+    bool interrupted{}; ///< by the user, after two levels or more
+    /// Sentence why rows are missing or finer levels were left alone; empty if neither.
+    std::string stopped;
 };
 
 /// Follows the flow in a periodic cell in time. The vortices grow out of a rotor whose speed is
 /// uneven along the axis: how soon they show depends on that, how strong they get does not.
+/// A level that would take too much work is left alone; of the first one the rows so far are kept.
 /// @param gap         the inner wall turns
 /// @param wavelength  axial period, m
 /// @param law         without a yield stress
 /// @param density     kg/m^3, > 0
 /// @param disturbance  unevenness, 0 < disturbance << 1
 /// @param accuracies  asked-for relative error of each row's torque; as many as rows, at least one
-/// May throw Interrupted.
+/// May throw Interrupted, if fewer than two levels are done: then no row has an error yet.
 [[nodiscard]] VortexRun vortex_run(const radial::AnnularGap& gap, double wavelength,
                                    const laws::flow::AnyFlowLaw& law, double density,
                                    double disturbance, const rheometry::SpeedHistory& history,

@@ -28,6 +28,8 @@ constexpr double near_onset = 0.9;
 constexpr double wavy_share = 0.1;
 /// Share of that doubt which the vortices are solved to: no more can be had of them.
 constexpr double worthwhile = 0.1;
+/// Of the accuracy; the laminar flow and waves share the rest.
+constexpr double vortex_share = 0.5;
 /// Past about this multiple of the onset the flow is chaotic (11.7 in Fenstermacher, Swinney &
 /// Gollub 1979, J. Fluid Mech. 94, 103), later turbulent: nothing axisymmetric resembles it.
 constexpr double turbulent_ratio = 10.0;
@@ -104,7 +106,8 @@ void add_steady_vortices(const Scene& scene, const Plan& plan, const VortexGap& 
     }
     std::map<double, InertiaFactor> factors;
     for (const auto& [speed, accuracy] : accuracies) {
-        const InertiaFactor& factor = factors[speed] = vortices.at(speed, 0.5 * accuracy, progress);
+        const InertiaFactor& factor = factors[speed] =
+            vortices.at(speed, vortex_share * accuracy, progress);
         report.refinements = std::max(report.refinements, factor.levels);
         report.unknowns = std::max(report.unknowns, factor.unknowns);
     }
@@ -151,7 +154,7 @@ void add_growing_vortices(const Scene& scene, const Plan& plan,
         plan.rows.begin());
     std::vector<double> accuracies;
     for (std::size_t k = 0; k < followed; ++k) {
-        accuracies.push_back(worthwhile_accuracy(scene, plan.rows[k]));
+        accuracies.push_back(vortex_share * worthwhile_accuracy(scene, plan.rows[k]));
     }
     VortexRun run;
     radial::TransientTorque laminar;
@@ -173,12 +176,19 @@ void add_growing_vortices(const Scene& scene, const Plan& plan,
     for (std::size_t k = followed; k < rows.size(); ++k) {
         add_turbulence(scene, outside, plan.rows[k], rows[k]);
     }
+    bool is_near = false;
     bool is_past = false;
     for (std::size_t k = 0; k < std::min(followed, rows.size()); ++k) {
-        is_past = is_past || plan.rows[k].taylor_ratio > near_onset;
-        if (is_past) {
-            rows[k].torque += outside.height * run.torque[k] - laminar.torque[k];
+        is_near = is_near || plan.rows[k].taylor_ratio > near_onset;
+        is_past = is_past || plan.rows[k].taylor_ratio > 1.0;
+        if (is_near) {
+            const double added = outside.height * run.torque[k] - laminar.torque[k];
+            rows[k].torque += added;
             rows[k].torque_error += outside.height * run.error[k];
+            if (!is_past) {
+                // An even rotor has no vortices yet: the uneven one's are of no instrument.
+                rows[k].torque_error += std::abs(added);
+            }
         }
     }
     report.transient = true;
@@ -187,6 +197,10 @@ void add_growing_vortices(const Scene& scene, const Plan& plan,
     report.unknowns = std::max(report.unknowns, run.unknowns);
     report.time_steps += run.time_steps;
     report.linear_solves += run.linear_solves;
+    report.interrupted = run.interrupted;
+    if (!run.stopped.empty()) {
+        report.notes.push_back(run.stopped);
+    }
     report.notes.push_back(
         fmt::format("The vortices grow from a rotor speed that is uneven by {:.3g} along the axis "
                     "(solver.disturbance): with less they show later.",
@@ -290,7 +304,7 @@ radial::RadialReport solve_with_vortices(const Scene& scene, const Plan& plan,
             "The fields and their pictures show the laminar flow without the vortices.");
     }
     report.worst_relative_error = worst_relative_error(report.history.rows);
-    report.reached = report.worst_relative_error <= scene.solver.accuracy;
+    report.reached = !report.interrupted && report.worst_relative_error <= scene.solver.accuracy;
     return report;
 }
 
