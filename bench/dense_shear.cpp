@@ -39,7 +39,7 @@ void compare(const Target& target, int seeds, double strain) {
         input.settings.contact.emplace();
         input.settings.contact->stiffness = 6.0 * 3.14159 * 2e4;
         input.settings.contact->friction = target.friction;
-        input.settings.contact->tangential_stiffness = 0.5 * input.settings.contact->stiffness;
+        input.settings.contact->tangential_stiffness = 0.5 * *input.settings.contact->stiffness;
         input.viscosity = 1.0;
         input.density = 1.0;
         input.accuracy = std::getenv("ACC") ? std::atof(std::getenv("ACC")) : 1e-2;

@@ -85,6 +85,13 @@ RandomCase particle_case(Draw& draw) {
                               draw.log_between(1e-21, 1e-18), draw.between(5.0, 80.0),
                               draw.log_between(1.0, 30.0))
                 : "");
+    if (draw.chance(0.2)) { // Hertz, about as stiff
+        const std::size_t at = result.text.find("stiffness = ");
+        result.text.replace(at, result.text.find(',', at) - at, "model = \"hertz\"");
+        result.text += fmt::format("shear_modulus = \"{:.6g} Pa\"\npoisson_ratio = {:.3g}\n",
+                                   stiffness / diameter, draw.between(0.0, 0.49));
+        result.kind += " hertz";
+    }
     return result;
 }
 

@@ -3,7 +3,7 @@
 #include "laws/colloid/dlvo.hpp"
 #include "laws/colloid/double_layer.hpp"
 #include "laws/colloid/hamaker.hpp"
-#include "laws/contact/hooke.hpp"
+#include "laws/contact/contact_law.hpp"
 #include "laws/contact/rayleigh_time.hpp"
 #include "laws/drag/di_felice.hpp"
 #include "laws/drag/ergun_wen_yu.hpp"
@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
 
@@ -79,8 +80,37 @@ Found debye_of_a_millimole() {
 constexpr double radius = 1e-3;
 constexpr double density = 2500.0;
 
-/// A head-on pair by the program's own contacts and steps: largest error of the restitution for
-/// three of them, at steps of 1/100, 1/200 and 1/400 of a contact.
+/// Two equal spheres that meet head on, by the program's own contacts and steps.
+class HeadOn {
+public:
+    HeadOn(const contact::AnyContact& law, double speed)
+        : forces_(make_pair_forces(law, NoColloid{}, 1)) {
+        pair_.add(0.5, 0.5, 0.5, radius, density);
+        pair_.add(0.5 + 2.0 * radius, 0.5, 0.5, radius, density);
+        pair_.vx[0] = 0.5 * speed;
+        pair_.vx[1] = -0.5 * speed;
+        list_.rebuild(pair_, box_);
+    }
+    void advance(double step) {
+        if (list_.is_stale_after(pair_, kick_and_drift(pair_, step, 0.0, 1), 0.0))
+            list_.rebuild(pair_, box_);
+        clear_forces(pair_);
+        forces_->evaluate(pair_, box_, list_, step, false);
+        kick(pair_, step, 1);
+    }
+    [[nodiscard]] double mass() const { return 0.5 * pair_.mass[0]; } ///< reduced
+    [[nodiscard]] double overlap() const { return 2.0 * radius - (pair_.x[1] - pair_.x[0]); }
+    [[nodiscard]] double separating_speed() const { return pair_.vx[1] - pair_.vx[0]; }
+
+private:
+    ParticleStore pair_;
+    ShearBox box_{.length_x = 1.0, .length_y = 1.0, .length_z = 1.0};
+    NeighbourList list_{0.0, 0.2 * radius};
+    std::unique_ptr<PairForces> forces_;
+};
+
+/// Largest error of the restitution for three of them, at steps of 1/100, 1/200 and 1/400 of a
+/// contact.
 Found restitution() {
     std::vector<double> errors;
     for (const int finer : {1, 2, 4}) {
@@ -88,26 +118,38 @@ Found restitution() {
         for (const double asked : {1.0, 0.9, 0.3}) {
             const contact::Hooke law{.normal_stiffness = 1e3,
                                      .damping_ratio = contact::damping_ratio(asked)};
-            ParticleStore pair;
-            pair.add(0.5, 0.5, 0.5, radius, density);
-            pair.add(0.5 + 2.0 * radius, 0.5, 0.5, radius, density);
-            pair.vx[0] = 0.05;
-            pair.vx[1] = -0.05;
-            ShearBox box{.length_x = 1.0, .length_y = 1.0, .length_z = 1.0};
-            NeighbourList list{0.0, 0.2 * radius};
-            list.rebuild(pair, box);
-            const auto forces = make_pair_forces(law, NoColloid{}, 1);
-            const double step = 0.01 / finer * law.duration(0.5 * pair.mass[0]);
-            for (int k = 0; k < 110 * finer; ++k) {
-                if (list.is_stale_after(pair, kick_and_drift(pair, step, 0.0, 1), 0.0))
-                    list.rebuild(pair, box);
-                clear_forces(pair);
-                forces->evaluate(pair, box, list, step, false);
-                kick(pair, step, 1);
-            }
-            worst = std::max(worst, std::abs((pair.vx[1] - pair.vx[0]) / 0.1 - asked));
+            HeadOn pair(law, 0.1);
+            const double step = 0.01 / finer * law.duration(pair.mass());
+            for (int k = 0; k < 110 * finer; ++k)
+                pair.advance(step);
+            worst = std::max(worst, std::abs(pair.separating_speed() / 0.1 - asked));
         }
         errors.push_back(worst);
+    }
+    return {errors[2], order_of(errors[1], errors[2])};
+}
+
+/// How long elastic spheres touch, by the program's own contacts and steps.
+Found hertz_duration() {
+    // (4/5) sqrt(pi) Gamma(2/5) / Gamma(9/10) times the deepest overlap over the speed.
+    constexpr double constant = 2.9432749;
+    constexpr double speed = 0.1;
+    const contact::Hertz law{.shear_modulus = 1e7, .poisson_ratio = 0.3};
+    std::vector<double> errors;
+    for (const double share : {0.02, 0.01, 0.005}) {
+        HeadOn pair(law, speed);
+        const double expected =
+            constant * law.deepest_overlap(speed, 0.5 * radius, pair.mass()) / speed;
+        const double step = share * expected;
+        double before = 0.0;
+        double found = 0.0;
+        for (int k = 0; k < static_cast<int>(1.5 / share); ++k) {
+            pair.advance(step);
+            if (before > 0.0 && pair.overlap() <= 0.0)
+                found = step * (k + before / (before - pair.overlap()));
+            before = pair.overlap();
+        }
+        errors.push_back(std::abs(found / expected - 1.0));
     }
     return {errors[2], order_of(errors[1], errors[2])};
 }
@@ -247,6 +289,16 @@ std::vector<Check> particle_checks() {
          .file = contacts,
          .test = "HookeContact.a_head_on_pair_separates_with_its_restitution",
          .run = restitution},
+        {.name = "contact-hertz",
+         .subject = "contacts in time: duration of a head-on contact of elastic spheres",
+         .against = "2.943275 times the deepest overlap over the speed (Landau & Lifshitz, Theory "
+                    "of Elasticity, section 9)",
+         .tolerance = 3e-5,
+         .origin = "velocity Verlet with 200 steps a contact",
+         .least_order = 1.6,
+         .file = "tests/suspension/hertz_contact_test.cpp",
+         .test = "HertzContact.a_head_on_pair_has_hertzs_duration_and_depth",
+         .run = hertz_duration},
         {.name = "contact-coulomb",
          .subject = "contacts: tangential force before and after sliding",
          .against = "k_t s up to friction times the normal force",

@@ -1,20 +1,11 @@
 #pragma once
 
-#include <algorithm>
+#include "laws/contact/contact_spring.hpp"
+
 #include <cmath>
 #include <numbers>
 
 namespace searle::laws::contact {
-
-/// Damping of a linear spring-dashpot pair that gives a restitution e:
-/// zeta = -ln e / sqrt(pi^2 + ln^2 e), the dashpot being gamma = 2 zeta sqrt(k m_eff).
-/// It solves e = exp(-pi gamma / sqrt(4 k m_eff - gamma^2)), the speed after over the speed before
-/// a head-on contact that ends when the overlap is back at zero.
-/// @param restitution 0 < e <= 1. Limits: 0 for e = 1, towards 1 (critical) for e -> 0.
-[[nodiscard]] inline double damping_ratio(double restitution) {
-    const double loss = -std::log(restitution);
-    return loss / std::sqrt(std::numbers::pi * std::numbers::pi + loss * loss);
-}
 
 /// Restitution of a head-on pair whose dashpot is `damping` (kg/s), stiffness k (N/m) and reduced
 /// mass m_eff (kg); 0 for a dashpot at or above the critical one.
@@ -25,9 +16,9 @@ namespace searle::laws::contact {
 }
 
 /// Linear springs and dashpots, Cundall & Strack 1979, Geotechnique 29, 47:
-/// normal  F_n = k_n overlap - gamma_n v_n (v_n > 0: separating),
-/// tangential F_t = -k_t s - gamma_t v_t with |F_t| <= friction |F_n|; s is the sum of v_t dt, cut
-/// back to the limit while the contact slides.
+/// normal  F_n = k_n overlap - gamma_n v_n (v_n > 0: separating; it may pull shortly before the
+/// two part), tangential F_t = -k_t s - gamma_t v_t with |F_t| <= friction |F_n|; s is the sum of
+/// v_t dt, cut back to the limit while the contact slides.
 /// All of a pair: gamma_n = 2 zeta sqrt(k_n m_eff) + damping, gamma_t = gamma_n / 2
 /// (Silbert et al. 2001, Phys. Rev. E 64, 051302).
 struct Hooke {
@@ -38,19 +29,23 @@ struct Hooke {
     double friction{};             ///< Coulomb coefficient, >= 0
     double rolling_friction{};     ///< >= 0
 
-    [[nodiscard]] double normal_damping(double reduced_mass) const {
-        return 2.0 * damping_ratio * std::sqrt(normal_stiffness * reduced_mass) + damping;
+    static constexpr bool depends_on_radii = false;
+
+    [[nodiscard]] ContactSpring at(double /*overlap*/, double /*reduced_radius*/,
+                                   double reduced_mass) const {
+        return {.normal = normal_stiffness,
+                .slope = normal_stiffness,
+                .tangential = tangential_stiffness,
+                .damping =
+                    2.0 * damping_ratio * std::sqrt(normal_stiffness * reduced_mass) + damping};
     }
-    /// Force that pushes the two apart, N; may pull shortly before they part.
-    [[nodiscard]] double normal_force(double overlap, double separating_speed,
-                                      double pair_damping) const {
-        return normal_stiffness * overlap - pair_damping * separating_speed;
+    /// Overlap at which the normal force is `force`, m.
+    [[nodiscard]] double overlap_under(double force, double /*reduced_radius*/) const {
+        return force / normal_stiffness;
     }
     /// Duration of a head-on contact, s.
     [[nodiscard]] double duration(double reduced_mass) const {
-        const double gamma = normal_damping(reduced_mass);
-        const double discriminant = 4.0 * normal_stiffness * reduced_mass - gamma * gamma;
-        return 2.0 * std::numbers::pi * reduced_mass / std::sqrt(std::max(discriminant, 0.0));
+        return at(0.0, 0.0, reduced_mass).duration(reduced_mass);
     }
 };
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "laws/contact/hooke.hpp"
 #include "solvers/particles/shear_box.hpp"
 #include "solvers/particles/touching_pair.hpp"
 
@@ -31,9 +30,8 @@ struct ContactBlock {
 
 /// The law for the first `count` pairs; also for what lies behind them up to a whole register,
 /// which nobody reads. Pairs that do not touch get no force and lose their spring.
-template <bool friction, bool rolling>
-void act(ContactBlock& b, const laws::contact::Hooke& law, const NearestImage& nearest, double step,
-         int count) {
+template <bool friction, bool rolling, class Law>
+void act(ContactBlock& b, const Law& law, const NearestImage& nearest, double step, int count) {
     constexpr int lanes = ContactBlock::lanes;
     const int padded = (count + lanes - 1) / lanes * lanes;
 #pragma omp simd
@@ -47,10 +45,11 @@ void act(ContactBlock& b, const laws::contact::Hooke& law, const NearestImage& n
         const double overlap = b.radii[m] - r;
         const double lever = 0.5 * (b.radii[m] - overlap);
         const double difference = 0.5 * b.radii_apart[m];
-        const double rolling_radius =
-            rolling ? 0.25 * (b.radii[m] * b.radii[m] - b.radii_apart[m] * b.radii_apart[m]) /
-                          b.radii[m]
-                    : 0.0;
+        const double reduced_radius =
+            rolling || Law::depends_on_radii
+                ? 0.25 * (b.radii[m] * b.radii[m] - b.radii_apart[m] * b.radii_apart[m]) /
+                      b.radii[m]
+                : 0.0;
         const Touch touch{.nx = dx * inverse,
                           .ny = dy * inverse,
                           .nz = dz * inverse,
@@ -66,7 +65,7 @@ void act(ContactBlock& b, const laws::contact::Hooke& law, const NearestImage& n
                           .spin_y = b.spin_y[m],
                           .spin_z = b.spin_z[m],
                           .reduced_mass = 1.0 / b.inverse_masses[m],
-                          .rolling_radius = rolling_radius};
+                          .reduced_radius = reduced_radius};
         double sx = b.sx[m];
         double sy = b.sy[m];
         double sz = b.sz[m];

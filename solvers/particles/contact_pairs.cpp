@@ -223,9 +223,9 @@ void ContactPairs::write(const ContactBlock& b, const int* first, const int* sec
     }
 }
 
-template <bool friction, bool rolling>
-void ContactPairs::add_with(const Scene& scene, const AlignedVector<int>* touching, int begin,
-                            int end, PairSums& sums) {
+template <bool friction, bool rolling, class Law>
+void ContactPairs::add_with(const Scene& scene, const Law& law, const AlignedVector<int>* touching,
+                            int begin, int end, PairSums& sums) {
     const ParticleStore& p = scene.particles;
     NeighbourList& list = scene.list;
     const NearestImage nearest(scene.box);
@@ -267,7 +267,7 @@ void ContactPairs::add_with(const Scene& scene, const AlignedVector<int>* touchi
             b.sy[m] = sy[k];
             b.sz[m] = sz[k];
         }
-        act<friction, rolling>(b, scene.law, nearest, scene.step, count);
+        act<friction, rolling>(b, law, nearest, scene.step, count);
         if (in_rows)
             write(b, first, second, count);
         else
@@ -290,12 +290,16 @@ void ContactPairs::add_of(const Scene& scene, const AlignedVector<int>* touching
                           int end, PairSums& sums) {
     if (begin >= end)
         return;
-    if (scene.law.friction == 0.0)
-        add_with<false, false>(scene, touching, begin, end, sums);
-    else if (scene.law.rolling_friction == 0.0)
-        add_with<true, false>(scene, touching, begin, end, sums);
-    else
-        add_with<true, true>(scene, touching, begin, end, sums);
+    std::visit(
+        [&](const auto& law) {
+            if (law.friction == 0.0)
+                add_with<false, false>(scene, law, touching, begin, end, sums);
+            else if (law.rolling_friction == 0.0)
+                add_with<true, false>(scene, law, touching, begin, end, sums);
+            else
+                add_with<true, true>(scene, law, touching, begin, end, sums);
+        },
+        scene.law);
 }
 
 void ContactPairs::add(const Scene& scene, const AlignedVector<int>& touching, PairSums& sums) {

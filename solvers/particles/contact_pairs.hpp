@@ -1,6 +1,6 @@
 #pragma once
 
-#include "laws/contact/hooke.hpp"
+#include "laws/contact/contact_law.hpp"
 #include "solvers/particles/neighbour_list.hpp"
 #include "solvers/particles/pair_forces.hpp"
 #include "solvers/particles/particle_store.hpp"
@@ -21,7 +21,7 @@ class ContactPairs {
 public:
     /// What an evaluation works with. The springs in `list` move by `step`.
     struct Scene {
-        const laws::contact::Hooke& law;
+        const laws::contact::AnyContact& law;
         const ParticleStore& particles;
         const ShearBox& box;
         NeighbourList& list;
@@ -54,9 +54,9 @@ private:
     void read(ContactBlock& block, const int* first, const int* second, int count) const;
     void write(const ContactBlock& block, const int* first, const int* second, int count);
 
-    template <bool friction, bool rolling>
-    void add_with(const Scene& scene, const AlignedVector<int>* touching, int begin, int end,
-                  PairSums& sums);
+    template <bool friction, bool rolling, class Law>
+    void add_with(const Scene& scene, const Law& law, const AlignedVector<int>* touching, int begin,
+                  int end, PairSums& sums);
     void add_of(const Scene& scene, const AlignedVector<int>* touching, int begin, int end,
                 PairSums& sums);
 };

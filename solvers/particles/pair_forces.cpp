@@ -35,7 +35,7 @@ struct Worker {
 template <class Colloid, bool has_contact>
 class ComposedForces final : public PairForces {
 public:
-    ComposedForces(const laws::contact::Hooke& contact, const Colloid& colloid, int threads)
+    ComposedForces(const laws::contact::AnyContact& contact, const Colloid& colloid, int threads)
         : contact_(contact), colloid_(colloid), workers_(static_cast<std::size_t>(threads)) {}
 
     PairSums evaluate(ParticleStore& p, const ShearBox& box, NeighbourList& list, double step,
@@ -233,7 +233,7 @@ private:
         return sum;
     }
 
-    laws::contact::Hooke contact_;
+    laws::contact::AnyContact contact_;
     Colloid colloid_;
     std::vector<Worker> workers_;
     long rebuilds_seen_ = 0;
@@ -252,8 +252,9 @@ double reach_of(const AnyColloid& colloid) {
         colloid);
 }
 
-std::unique_ptr<PairForces> make_pair_forces(const std::optional<laws::contact::Hooke>& contact,
-                                             const AnyColloid& colloid, int threads) {
+std::unique_ptr<PairForces>
+make_pair_forces(const std::optional<laws::contact::AnyContact>& contact, const AnyColloid& colloid,
+                 int threads) {
     return std::visit(
         [&]<class Colloid>(const Colloid& chosen) -> std::unique_ptr<PairForces> {
             if (contact)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "laws/colloid/dlvo.hpp"
-#include "laws/contact/hooke.hpp"
+#include "laws/contact/contact_law.hpp"
 #include "solvers/particles/neighbour_list.hpp"
 #include "solvers/particles/particle_store.hpp"
 #include "solvers/particles/shear_box.hpp"
@@ -51,7 +51,7 @@ public:
 
 /// @param threads >= 1
 [[nodiscard]] std::unique_ptr<PairForces>
-make_pair_forces(const std::optional<laws::contact::Hooke>& contact, const AnyColloid& colloid,
+make_pair_forces(const std::optional<laws::contact::AnyContact>& contact, const AnyColloid& colloid,
                  int threads);
 
 } // namespace searle::solvers::particles

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "laws/contact/hooke.hpp"
+#include "laws/contact/contact_law.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ struct Touch {
     double turning_x, turning_y, turning_z;
     double spin_x, spin_y, spin_z; ///< angular velocity of the second less that of the first, 1/s
     double reduced_mass;           ///< kg
-    double rolling_radius;         ///< r_1 r_2 / (r_1 + r_2), m
+    double reduced_radius;         ///< r_1 r_2 / (r_1 + r_2), m
 };
 
 /// Force on the second and the rolling torque on it (the first has the opposite of both).
@@ -27,16 +27,16 @@ struct TouchForce {
     double rx, ry, rz; ///< rolling torque on the second, N m
 };
 
-/// Hooke's law for one contact; moves the tangential spring (sx, sy, sz) by `step`. The spring is
-/// kept in the tangent plane and cut back to Coulomb's limit while the contact slides. Without
-/// jumps, so that a loop over contacts becomes a vector loop.
-template <bool friction, bool rolling>
-TouchForce touch_force(const laws::contact::Hooke& law, const Touch& t, double step, double& sx,
-                       double& sy, double& sz) {
+/// The law (Hooke, Hertz) for one contact; moves the tangential spring (sx, sy, sz) by `step`. The
+/// spring is kept in the tangent plane and cut back to Coulomb's limit while the contact slides.
+/// Without jumps, so that a loop over contacts becomes a vector loop.
+template <bool friction, bool rolling, class Law>
+TouchForce touch_force(const Law& law, const Touch& t, double step, double& sx, double& sy,
+                       double& sz) {
     TouchForce out{};
-    const double gamma = law.normal_damping(t.reduced_mass);
+    const laws::contact::ContactSpring spring = law.at(t.overlap, t.reduced_radius, t.reduced_mass);
     const double separating = t.vx * t.nx + t.vy * t.ny + t.vz * t.nz;
-    out.normal = law.normal_force(t.overlap, separating, gamma);
+    out.normal = spring.normal * t.overlap - spring.damping * separating;
     if constexpr (!friction)
         return out;
     const double sliding_x = t.vx - separating * t.nx - (t.turning_y * t.nz - t.turning_z * t.ny);
@@ -49,8 +49,8 @@ TouchForce touch_force(const laws::contact::Hooke& law, const Touch& t, double s
     sx -= out_of_plane * t.nx;
     sy -= out_of_plane * t.ny;
     sz -= out_of_plane * t.nz;
-    const double dashpot = 0.5 * gamma;
-    const double stiffness = law.tangential_stiffness;
+    const double dashpot = 0.5 * spring.damping;
+    const double stiffness = spring.tangential;
     out.tx = -stiffness * sx - dashpot * sliding_x;
     out.ty = -stiffness * sy - dashpot * sliding_y;
     out.tz = -stiffness * sz - dashpot * sliding_z;
@@ -76,8 +76,8 @@ TouchForce touch_force(const laws::contact::Hooke& law, const Touch& t, double s
         const double rolling_z = t.spin_z - twist * t.nz;
         const double speed =
             std::sqrt(rolling_x * rolling_x + rolling_y * rolling_y + rolling_z * rolling_z);
-        const double viscous = dashpot * t.rolling_radius * t.rolling_radius;
-        const double most = law.rolling_friction * t.rolling_radius * std::abs(out.normal);
+        const double viscous = dashpot * t.reduced_radius * t.reduced_radius;
+        const double most = law.rolling_friction * t.reduced_radius * std::abs(out.normal);
         const double factor = speed * viscous > most ? most / speed : viscous;
         out.rx = -factor * rolling_x;
         out.ry = -factor * rolling_y;
@@ -87,8 +87,9 @@ TouchForce touch_force(const laws::contact::Hooke& law, const Touch& t, double s
 }
 
 /// The same, of whatever the law has.
-inline TouchForce touch_force(const laws::contact::Hooke& law, const Touch& t, double step,
-                              double& sx, double& sy, double& sz) {
+template <class Law>
+TouchForce touch_force(const Law& law, const Touch& t, double step, double& sx, double& sy,
+                       double& sz) {
     if (law.friction == 0.0)
         return touch_force<false, false>(law, t, step, sx, sy, sz);
     if (law.rolling_friction == 0.0)

@@ -16,8 +16,9 @@ struct OneWall {
     double x{}, y{};
 };
 
-OneWall act(const laws::contact::Hooke& law, ParticleStore& p, const AlignedVector<int>& near,
-            Column& spring_x, Column& spring_z, const Wall& wall, double step, WallSums& sums) {
+template <class Law>
+OneWall act(const Law& law, ParticleStore& p, const AlignedVector<int>& near, Column& spring_x,
+            Column& spring_z, const Wall& wall, double step, WallSums& sums) {
     OneWall total;
     for (const int index : near) {
         const auto i = static_cast<std::size_t>(index);
@@ -41,7 +42,7 @@ OneWall act(const laws::contact::Hooke& law, ParticleStore& p, const AlignedVect
                           .spin_y = -p.wy[i],
                           .spin_z = -p.wz[i],
                           .reduced_mass = p.mass[i],
-                          .rolling_radius = p.radius[i]};
+                          .reduced_radius = p.radius[i]};
         double spring_y = 0.0;
         const TouchForce f = touch_force(law, touch, step, spring_x[i], spring_y, spring_z[i]);
         const double fy = f.normal * wall.outwards;
@@ -68,18 +69,22 @@ OneWall act(const laws::contact::Hooke& law, ParticleStore& p, const AlignedVect
 
 } // namespace
 
-WallSums add_wall_forces(const laws::contact::Hooke& contact, ParticleStore& particles,
+WallSums add_wall_forces(const laws::contact::AnyContact& contact, ParticleStore& particles,
                          const ShearBox& box, NeighbourList& list, double upper_speed,
                          double step) {
     WallSums sums;
-    const OneWall lower = act(contact, particles, list.near_lower, list.lower_x, list.lower_z,
-                              {0.0, -1.0, 0.0}, step, sums);
-    const OneWall upper = act(contact, particles, list.near_upper, list.upper_x, list.upper_z,
-                              {box.length_y, 1.0, upper_speed}, step, sums);
-    sums.lower_x = lower.x;
-    sums.lower_y = lower.y;
-    sums.upper_x = upper.x;
-    sums.upper_y = upper.y;
+    std::visit(
+        [&](const auto& law) {
+            const OneWall lower = act(law, particles, list.near_lower, list.lower_x, list.lower_z,
+                                      {0.0, -1.0, 0.0}, step, sums);
+            const OneWall upper = act(law, particles, list.near_upper, list.upper_x, list.upper_z,
+                                      {box.length_y, 1.0, upper_speed}, step, sums);
+            sums.lower_x = lower.x;
+            sums.lower_y = lower.y;
+            sums.upper_x = upper.x;
+            sums.upper_y = upper.y;
+        },
+        contact);
     return sums;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "laws/contact/hooke.hpp"
+#include "laws/contact/contact_law.hpp"
 #include "solvers/particles/neighbour_list.hpp"
 #include "solvers/particles/pair_forces.hpp"
 #include "solvers/particles/particle_store.hpp"
@@ -23,7 +23,7 @@ struct WallSums {
 
 /// Adds the walls' forces to those of the particles, and moves the tangential springs by `step`.
 /// @param upper_speed of the upper wall in x, m/s
-WallSums add_wall_forces(const laws::contact::Hooke& contact, ParticleStore& particles,
+WallSums add_wall_forces(const laws::contact::AnyContact& contact, ParticleStore& particles,
                          const ShearBox& box, NeighbourList& list, double upper_speed, double step);
 
 } // namespace searle::solvers::particles

@@ -5,20 +5,18 @@ namespace searle::solvers::suspension {
 
 casefile::Keys<ContactSettings> contact_keys() {
     casefile::Keys<ContactSettings> keys;
-    keys.custom(
-            "model", [](ContactSettings&, const casefile::Value&) {},
-            [](const ContactSettings&) -> std::optional<casefile::Value> {
-                return casefile::Value{std::string{"hooke"}};
-            })
-        .word("hooke", "linear springs and dashpots")
+    keys.choice<ContactModel ContactSettings::*, ContactModel>(
+            "model", &ContactSettings::model,
+            {{"hooke", ContactModel::hooke, "linear springs and dashpots"},
+             {"hertz", ContactModel::hertz, "elastic spheres of shear_modulus and poisson_ratio"}})
         .example("hooke")
         .says("The contact law.");
     keys.key("stiffness", &ContactSettings::stiffness)
         .measures(casefile::spring_stiffness)
         .above("0 N/m")
-        .required()
         .example("1e-2 N/m")
-        .says("Stiffness of the normal spring.");
+        .defaults_to("none; hooke needs it")
+        .says("Stiffness of hooke's normal spring.");
     keys.custom(
             "restitution",
             [](ContactSettings& contact, const casefile::Value& value) {
@@ -45,7 +43,7 @@ casefile::Keys<ContactSettings> contact_keys() {
         .above("0 N/m")
         .example("3e-3 N/m")
         .or_absent_as("auto", "follows from stiffness")
-        .says("Stiffness of the tangential spring.");
+        .says("Stiffness of hooke's tangential spring.");
     keys.key("damping", &ContactSettings::damping)
         .measures(casefile::dashpot)
         .at_least("0 kg/s")
@@ -59,6 +57,16 @@ casefile::Keys<ContactSettings> contact_keys() {
         .example("0")
         .says("Coefficient of rolling friction.");
     keys.check([](const ContactSettings& contact, casefile::Findings& findings) {
+        const bool is_hertz = contact.model == ContactModel::hertz;
+        if (!is_hertz && !findings.given("stiffness"))
+            findings.contradiction({"stiffness", "model"},
+                                   "the stiffness of hooke's spring is missing",
+                                   "stiffness, or model = \"hertz\"");
+        for (const char* key : {"stiffness", "tangential_stiffness"})
+            if (is_hertz && findings.given(key))
+                findings.contradiction({key, "model"},
+                                       "hertz takes its stiffness from the particles' material",
+                                       "particles.shear_modulus and particles.poisson_ratio");
         if (contact.damping && findings.given("restitution"))
             findings.contradiction({"damping", "restitution"}, "the damping is given twice",
                                    "damping or restitution");

@@ -1,7 +1,5 @@
 #include "solvers/suspension/inertial_motion.hpp"
 
-#include "laws/contact/rayleigh_time.hpp"
-#include "laws/drag/stokes.hpp"
 #include "solvers/suspension/suspension_rows.hpp"
 
 #include <algorithm>
@@ -15,14 +13,6 @@ namespace {
 using particles::Column;
 using particles::ParticleStore;
 
-/// Shares that the step keeps to at an asked accuracy of 2e-3; docs/suspension.md has what they
-/// cost in accuracy.
-constexpr double contact_share = 0.3;  ///< of drag / (2 k_n)
-constexpr double explicit_share = 0.1; ///< of the particles' relaxation time
-constexpr double rayleigh_share = 0.2; ///< of the Rayleigh time, explicit steps
-constexpr double colloid_share = 0.5; ///< of drag / k, k the colloid's largest stiffness: stability
-constexpr double strain_share = 2e-3; ///< strain within a step
-constexpr double error_share = 1e-3;  ///< displacement error over the range of the forces
 constexpr double deepest_share = 0.2; ///< of the radius: a deeper overlap is no contact any more
 
 double skin_for(const SuspensionInput& input) {
@@ -36,14 +26,16 @@ double smallest(const Column& column) { return *std::min_element(column.begin(),
 
 InertialMotion::InertialMotion(SuspensionInput input)
     : input_(std::move(input)), particles_(input_.particles), box_(input_.box),
-      contact_(contact_law(input_.settings.contact)),
+      contact_(contact_law(input_.settings)),
       colloid_(colloid_law(input_.settings.dlvo, input_.settings.temperature)),
       forces_(particles::make_pair_forces(contact_, colloid_, input_.threads)),
       list_(particles::reach_of(colloid_), skin_for(input_)), drag_{input_.settings.drag,
                                                                     input_.coupling.model,
                                                                     input_.viscosity,
                                                                     input_.density},
-      control_(1.0, 1.0, 1.0) {
+      limits_(input_, contact_, colloid_, input_.settings.integrator == Integrator::explicit_steps),
+      control_(input_.settings.time_step.value_or(limits_.start()),
+               input_.settings.time_step.value_or(limits_.free()), limits_.displacement_error()) {
     const std::size_t count = particles_.size();
     surroundings_.resize(count);
     for (Column* column : {&fluid_fraction_, &bare_x_, &before_x_, &before_y_, &before_z_})
@@ -74,59 +66,7 @@ InertialMotion::InertialMotion(SuspensionInput input)
     weight_z_ = input_.settings.gravity.value_or(0.0) * (input_.settings.density - input_.density);
     explicit_steps_ = input_.settings.integrator == Integrator::explicit_steps;
     set_rotational_drag(input_.viscosity, particles_, surroundings_);
-    choose_step();
     rebuild();
-}
-
-void InertialMotion::choose_step() {
-    const double scale = step_scale(input_.accuracy);
-    const double least_radius = smallest(particles_.radius);
-    const double drag = laws::drag::Stokes{input_.viscosity, 0.0}.coefficient(least_radius, 0, 1);
-    const double rate = input_.fastest_wall_speed / box_.length_y;
-    free_longest_ = scale * strain_share / rate;
-    if (explicit_steps_) {
-        free_longest_ = std::min(free_longest_, explicit_share * smallest(particles_.mass) / drag);
-        if (input_.settings.shear_modulus)
-            free_longest_ = std::min(
-                free_longest_, rayleigh_share * laws::contact::rayleigh_time(
-                                                    least_radius, input_.settings.density,
-                                                    *input_.settings.shear_modulus,
-                                                    input_.settings.poisson_ratio.value_or(0.3)));
-    }
-    contact_longest_ = free_longest_;
-    if (contact_) {
-        const double mass = 0.5 * smallest(particles_.mass);
-        const double friction = drag + 2.0 * contact_->normal_damping(mass);
-        contact_longest_ = std::min(free_longest_, scale * contact_share * 0.5 * friction /
-                                                       contact_->normal_stiffness);
-        if (explicit_steps_)
-            contact_longest_ = std::min(contact_longest_, 0.02 * contact_->duration(mass));
-    }
-    double allowed = 1e300;
-    double start = free_longest_;
-    if (input_.settings.dlvo) {
-        const double stiffness = std::visit(
-            [&]<class Colloid>(const Colloid& colloid) {
-                if constexpr (std::is_same_v<Colloid, particles::NoColloid>)
-                    return 0.0;
-                else
-                    return laws::colloid::dlvo_curve(colloid, least_radius, least_radius)
-                        .largest_stiffness;
-            },
-            colloid_);
-        if (stiffness > 0.0)
-            free_longest_ =
-                std::min(free_longest_, std::min(scale, 1.0) * colloid_share * drag / stiffness);
-        contact_longest_ = std::min(contact_longest_, free_longest_);
-        start = std::min(start, free_longest_);
-        const double range = debye_length(*input_.settings.dlvo, input_.settings.temperature);
-        allowed = error_share * scale * scale * range;
-        // The first steps, before the control knows the forces, are short.
-        start = std::min(start, 1e-2 * smallest(particles_.mass) / drag);
-    }
-    control_ = StepControl(std::min(start, contact_longest_), free_longest_, allowed);
-    if (input_.settings.time_step)
-        control_ = StepControl(*input_.settings.time_step, *input_.settings.time_step, 1e300);
 }
 
 void InertialMotion::rebuild() {
@@ -196,9 +136,9 @@ void InertialMotion::check(double moved) const {
                                     : fmt::format("particle {} and a wall", wall_sums_.deepest);
         throw StepFailure(fmt::format(
             "{} overlap by {:.3g} m at t = {:.6g} s, {:.2g} of the smallest radius: the contact is "
-            "too soft for the forces on it (particles.contact.stiffness), or the step of {:.3g} s "
+            "too soft for the forces on it ({}), or the step of {:.3g} s "
             "too long (particles.time_step)",
-            who, overlap, time_, overlap / least, last_step_));
+            who, overlap, time_, overlap / least, stiffness_key(input_.settings), last_step_));
     }
     if (!(moved < least)) {
         for (std::size_t i = 0; i < particles_.size(); ++i) {
@@ -330,8 +270,10 @@ StressSample InertialMotion::advance(const WallSpeed& speed, double until) {
     if (ends)
         time_ = until;
     if (!input_.settings.time_step)
-        control_.set_longest(pair_sums_.contacts + wall_sums_.contacts > 0 ? contact_longest_
-                                                                           : free_longest_);
+        control_.set_longest(
+            pair_sums_.contacts + wall_sums_.contacts > 0
+                ? limits_.touching(std::max(pair_sums_.largest_overlap, wall_sums_.largest_overlap))
+                : limits_.free());
     return result;
 }
 

@@ -7,6 +7,7 @@
 #include "solvers/suspension/drag_coefficients.hpp"
 #include "solvers/suspension/fluid_profile.hpp"
 #include "solvers/suspension/step_control.hpp"
+#include "solvers/suspension/step_limits.hpp"
 #include "solvers/suspension/suspension_input.hpp"
 #include "solvers/suspension/suspension_motion.hpp"
 
@@ -47,7 +48,6 @@ private:
     /// Explicit steps: what the fluid and the walls give within half a step.
     void count_half_kick(double step);
     void evaluate(double wall_speed, double step, bool sampling);
-    void choose_step();
     [[nodiscard]] int interval_for(double step) const;
     /// One step of the particles; `surroundings_` is up to date.
     void move(double wall_speed, double step, bool sampling);
@@ -59,7 +59,7 @@ private:
     SuspensionInput input_;
     particles::ParticleStore particles_;
     particles::ShearBox box_;
-    std::optional<laws::contact::Hooke> contact_;
+    std::optional<laws::contact::AnyContact> contact_;
     particles::AnyColloid colloid_;
     std::unique_ptr<particles::PairForces> forces_;
     particles::NeighbourList list_;
@@ -71,12 +71,11 @@ private:
     particles::Brownian brownian_;
     std::optional<FluidProfile> profile_;
     DragChoice drag_;
+    StepLimits limits_;
     StepControl control_;
     bool explicit_steps_{};
     bool forces_known_{};
     bool change_known_{};
-    double free_longest_{};
-    double contact_longest_{};
     double weight_z_{}; ///< (rho_p - rho_f) g, N/m^3
     double time_{};
     double last_step_{};

@@ -24,17 +24,21 @@ void add_colloid(const Colloid& colloid, double gap, double r_1, double r_2, Nea
     }
 }
 
-void add_contact(const laws::contact::Hooke& law, double overlap, std::size_t listed,
+/// Without inertia a dashpot has nothing to do that the film does not.
+template <class Law>
+void add_contact(const Law& law, double overlap, double reduced_radius, std::size_t listed,
                  const particles::NeighbourList& list, NearPair& pair) {
+    const laws::contact::ContactSpring spring = law.at(overlap, reduced_radius, 0.0);
     pair.touches = true;
-    pair.stiffness = law.normal_stiffness;
-    pair.contact_push = law.normal_stiffness * overlap;
+    pair.stiffness = spring.slope;
+    pair.contact_push = spring.normal * overlap;
     pair.push += pair.contact_push;
     if (law.friction == 0.0)
         return;
     const double along = list.spring_x[listed] * pair.nx + list.spring_y[listed] * pair.ny +
                          list.spring_z[listed] * pair.nz;
-    const double stiffness = law.tangential_stiffness;
+    const double stiffness = spring.tangential;
+    pair.spring = stiffness;
     pair.tx = -stiffness * (list.spring_x[listed] - along * pair.nx);
     pair.ty = -stiffness * (list.spring_y[listed] - along * pair.ny);
     pair.tz = -stiffness * (list.spring_z[listed] - along * pair.nz);
@@ -56,7 +60,7 @@ particles::PairSums gather_near_pairs(const particles::ParticleStore& p,
                                       const particles::ShearBox& box,
                                       const particles::NeighbourList& list,
                                       const LubricationSettings& settings,
-                                      const std::optional<laws::contact::Hooke>& contact,
+                                      const std::optional<laws::contact::AnyContact>& contact,
                                       const particles::AnyColloid& colloid, double step,
                                       particles::AlignedVector<NearPair>& pairs) {
     particles::PairSums sums;
@@ -100,7 +104,11 @@ particles::PairSums gather_near_pairs(const particles::ParticleStore& p,
         std::visit([&](const auto& law) { add_colloid(law, gap, p.radius[i], p.radius[j], pair); },
                    colloid);
         if (contact && gap < 0.0) {
-            add_contact(*contact, -gap, k, list, pair);
+            std::visit(
+                [&](const auto& law) {
+                    add_contact(law, -gap, p.radius[i] * p.radius[j] / radii, k, list, pair);
+                },
+                *contact);
             ++sums.contacts;
             if (-gap > sums.largest_overlap) {
                 sums.largest_overlap = -gap;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "laws/contact/hooke.hpp"
+#include "laws/contact/contact_law.hpp"
 #include "solvers/particles/aligned_vector.hpp"
 #include "solvers/particles/neighbour_list.hpp"
 #include "solvers/particles/pair_forces.hpp"
@@ -29,7 +29,8 @@ struct NearPair {
     double contact_push;                 ///< of it the contact's
     double stiffness, colloid_stiffness; ///< N/m, of contact and colloid, along n
     double tx, ty, tz;           ///< contact's tangential force on the second at the start, N
-    double tangential_stiffness; ///< N/m, 0 while sliding
+    double spring;               ///< N/m, stiffness of the contact's tangential spring
+    double tangential_stiffness; ///< N/m, the same, 0 while sliding
     bool touches;
 };
 
@@ -46,7 +47,7 @@ particles::PairSums gather_near_pairs(const particles::ParticleStore& particles,
                                       const particles::ShearBox& box,
                                       const particles::NeighbourList& list,
                                       const LubricationSettings& settings,
-                                      const std::optional<laws::contact::Hooke>& contact,
+                                      const std::optional<laws::contact::AnyContact>& contact,
                                       const particles::AnyColloid& colloid, double step,
                                       particles::AlignedVector<NearPair>& pairs);
 

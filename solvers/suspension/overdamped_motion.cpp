@@ -38,7 +38,8 @@ double reach_for(const SuspensionInput& input, const particles::AnyColloid& coll
 
 OverdampedMotion::OverdampedMotion(SuspensionInput input)
     : input_(std::move(input)), particles_(input_.particles), box_(input_.box),
-      contact_(contact_law(input_.settings.contact)),
+      contact_(contact_law(input_.settings)),
+      friction_(contact_ ? laws::contact::friction_of(*contact_) : 0.0),
       colloid_(colloid_law(input_.settings.dlvo, input_.settings.temperature)),
       films_{.viscosity = input_.viscosity,
              .farthest_gap = farthest_film,
@@ -270,14 +271,13 @@ StressSample OverdampedMotion::move(double step, double rate) {
             const double ty = c.ty - spring * sy;
             const double tz = c.tz - spring * sz;
             add(contact, normal * c.nx + tx, normal * c.ny + ty, normal * c.nz + tz);
-            if (contact_->friction > 0.0) {
+            if (friction_ > 0.0) {
                 const auto k = static_cast<std::size_t>(c.listed);
-                const double stiffness = contact_->tangential_stiffness;
-                list_.spring_x[k] = step * sx - c.tx / stiffness;
-                list_.spring_y[k] = step * sy - c.ty / stiffness;
-                list_.spring_z[k] = step * sz - c.tz / stiffness;
+                list_.spring_x[k] = step * sx - c.tx / c.spring;
+                list_.spring_y[k] = step * sy - c.ty / c.spring;
+                list_.spring_z[k] = step * sz - c.tz / c.spring;
             }
-        } else if (contact_ && contact_->friction > 0.0) {
+        } else if (friction_ > 0.0) {
             const auto k = static_cast<std::size_t>(c.listed);
             list_.spring_x[k] = list_.spring_y[k] = list_.spring_z[k] = 0.0;
         }
@@ -361,9 +361,9 @@ StressSample OverdampedMotion::advance(const WallSpeed& speed, double until) {
         throw StepFailure(fmt::format(
             "particles {} and {} overlap by {:.3g} m at t = {:.6g} s, {:.2g} of the smallest "
             "radius: "
-            "the contact is too soft for the forces on it (particles.contact.stiffness)",
+            "the contact is too soft for the forces on it ({})",
             sums_.deepest_first, sums_.deepest_second, sums_.largest_overlap, time_,
-            sums_.largest_overlap / least));
+            sums_.largest_overlap / least, stiffness_key(input_.settings)));
     set_right_side(rate);
     precondition();
     solve();

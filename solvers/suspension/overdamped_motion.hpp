@@ -49,7 +49,8 @@ private:
     SuspensionInput input_;
     particles::ParticleStore particles_;
     particles::ShearBox box_;
-    std::optional<laws::contact::Hooke> contact_;
+    std::optional<laws::contact::AnyContact> contact_;
+    double friction_; ///< of the contact; 0 without one
     particles::AnyColloid colloid_;
     LubricationSettings films_;
     particles::NeighbourList list_;

@@ -141,14 +141,14 @@ void add_step_keys(casefile::Keys<ParticleSettings>& keys) {
         .above("0 Pa")
         .example("77 GPa")
         .defaults_to("none")
-        .says("Of the particles, for the Rayleigh time.");
+        .says("Of the particles, for hertz and the Rayleigh time.");
     keys.key("poisson_ratio", &ParticleSettings::poisson_ratio)
         .is_number()
         .above("-1")
         .below("0.5")
         .example("0.3")
         .defaults_to("none")
-        .says("Of the particles, for the Rayleigh time.");
+        .says("Of the particles, for hertz and the Rayleigh time.");
 }
 
 void check_sizes(const ParticleSettings& particles, casefile::Findings& findings) {
@@ -166,6 +166,18 @@ void check_sizes(const ParticleSettings& particles, casefile::Findings& findings
                                "shares that sum to 1");
 }
 
+void check_material(const ParticleSettings& particles, casefile::Findings& findings) {
+    if (!particles.contact || particles.contact->model != ContactModel::hertz)
+        return;
+    for (const char* key : {"shear_modulus", "poisson_ratio"})
+        if (!findings.given(key))
+            findings.contradiction({key, "contact"},
+                                   fmt::format("contact.model = \"hertz\" needs the {} of the "
+                                               "particles",
+                                               key),
+                                   "shear_modulus and poisson_ratio");
+}
+
 } // namespace
 
 casefile::Keys<ParticleSettings> particle_keys() {
@@ -174,6 +186,7 @@ casefile::Keys<ParticleSettings> particle_keys() {
     add_model_keys(keys);
     add_step_keys(keys);
     keys.check(check_sizes);
+    keys.check(check_material);
     return keys;
 }
 

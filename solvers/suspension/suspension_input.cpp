@@ -19,18 +19,33 @@ laws::colloid::Dlvo<Layer> dlvo_of(const ColloidSettings& settings, double tempe
 
 } // namespace
 
-std::optional<laws::contact::Hooke> contact_law(const std::optional<ContactSettings>& settings) {
-    if (!settings)
+std::optional<laws::contact::AnyContact> contact_law(const ParticleSettings& settings) {
+    if (!settings.contact)
         return std::nullopt;
-    return laws::contact::Hooke{
-        .normal_stiffness = settings->stiffness,
-        .tangential_stiffness =
-            settings->tangential_stiffness.value_or(2.0 / 7.0 * settings->stiffness),
-        .damping_ratio =
-            settings->damping ? 0.0 : laws::contact::damping_ratio(settings->restitution),
-        .damping = settings->damping.value_or(0.0),
-        .friction = settings->friction,
-        .rolling_friction = settings->rolling_friction};
+    const ContactSettings& contact = *settings.contact;
+    const double ratio = contact.damping ? 0.0 : laws::contact::damping_ratio(contact.restitution);
+    const double damping = contact.damping.value_or(0.0);
+    if (contact.model == ContactModel::hertz)
+        return laws::contact::Hertz{.shear_modulus = *settings.shear_modulus,
+                                    .poisson_ratio = *settings.poisson_ratio,
+                                    .damping_ratio = ratio,
+                                    .damping = damping,
+                                    .friction = contact.friction,
+                                    .rolling_friction = contact.rolling_friction};
+    const double stiffness = *contact.stiffness;
+    return laws::contact::Hooke{.normal_stiffness = stiffness,
+                                .tangential_stiffness =
+                                    contact.tangential_stiffness.value_or(2.0 / 7.0 * stiffness),
+                                .damping_ratio = ratio,
+                                .damping = damping,
+                                .friction = contact.friction,
+                                .rolling_friction = contact.rolling_friction};
+}
+
+std::string_view stiffness_key(const ParticleSettings& settings) {
+    return settings.contact && settings.contact->model == ContactModel::hertz
+               ? "particles.shear_modulus"
+               : "particles.contact.stiffness";
 }
 
 double debye_length(const ColloidSettings& settings, double temperature) {

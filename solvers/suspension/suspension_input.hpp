@@ -1,12 +1,13 @@
 #pragma once
 
-#include "laws/contact/hooke.hpp"
+#include "laws/contact/contact_law.hpp"
 #include "solvers/particles/pair_forces.hpp"
 #include "solvers/particles/particle_store.hpp"
 #include "solvers/particles/shear_box.hpp"
 #include "solvers/suspension/suspension_settings.hpp"
 
 #include <optional>
+#include <string_view>
 
 namespace searle::solvers::suspension {
 
@@ -24,10 +25,13 @@ struct SuspensionInput {
     int threads = 1;
 };
 
-/// The contact law of the settings; none where they have none. The tangential spring is 2/7 of the
-/// normal one where it is not given (Silbert et al. 2001).
-[[nodiscard]] std::optional<laws::contact::Hooke>
-contact_law(const std::optional<ContactSettings>& settings);
+/// The contact law of the settings; none where they have none. Hooke's tangential spring is 2/7 of
+/// the normal one where it is not given (Silbert et al. 2001).
+[[nodiscard]] std::optional<laws::contact::AnyContact>
+contact_law(const ParticleSettings& settings);
+
+/// The key of a case that makes the contact stiffer or softer.
+[[nodiscard]] std::string_view stiffness_key(const ParticleSettings& settings);
 
 /// @param temperature K, for a Debye length that follows from the ionic strength
 [[nodiscard]] particles::AnyColloid colloid_law(const std::optional<ColloidSettings>& settings,

@@ -3,12 +3,16 @@
 #include "laws/colloid/dlvo.hpp"
 #include "solvers/plan_rows.hpp"
 #include "solvers/plan_text.hpp"
+#include "solvers/suspension/step_limits.hpp"
 #include "solvers/suspension/suspension_input.hpp"
+#include "solvers/suspension/suspension_scales.hpp"
+#include "solvers/suspension/suspension_warnings.hpp"
 #include "solvers/unsuitable_scene.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <numbers>
 
 namespace searle::solvers::suspension {
@@ -17,55 +21,12 @@ namespace {
 constexpr double most_particles = 2e6;
 constexpr double random_close_packing = 0.64;
 
-struct Sizes {
-    double smallest{}, largest{}, mean_volume{};
-};
-
-Sizes sizes_of(const ParticleSettings& settings) {
-    Sizes sizes{1e300, 0.0, 0.0};
-    double per_volume = 0.0;
-    std::vector<SizeClass> classes = settings.diameters;
-    if (settings.diameter)
-        classes = {{*settings.diameter, 1.0}};
-    for (const SizeClass& size : classes) {
-        sizes.smallest = std::min(sizes.smallest, size.diameter);
-        sizes.largest = std::max(sizes.largest, size.diameter);
-        per_volume += size.share * 6.0 / (std::numbers::pi * std::pow(size.diameter, 3));
-    }
-    // A lognormal spread by number: <d^3> = d^3 exp(9 s^2 / 2); four deviations are the largest.
-    const double spread = settings.spread;
-    sizes.mean_volume = std::exp(4.5 * spread * spread) / per_volume;
-    sizes.largest *= std::exp(4.0 * spread);
-    return sizes;
-}
-
-double fastest_rate(const Forecast& forecast) {
-    double fastest = 0.0;
-    for (const RowForecast& row : forecast.rows)
-        fastest = std::max(fastest, std::abs(row.shear_rate));
-    return fastest;
-}
-
-double slowest_rate(const Forecast& forecast) {
-    double slowest = 1e300;
-    for (const RowForecast& row : forecast.rows)
-        if (row.shear_rate != 0.0)
-            slowest = std::min(slowest, std::abs(row.shear_rate));
-    return slowest;
-}
-
-laws::colloid::DlvoCurve curve_of(const ParticleSettings& settings, double radius,
-                                  double& attraction) {
-    return std::visit(
-        [&]<class Colloid>(const Colloid& colloid) -> laws::colloid::DlvoCurve {
-            if constexpr (std::is_same_v<Colloid, particles::NoColloid>) {
-                return {};
-            } else {
-                attraction = -colloid.repulsion(0.0, radius, radius);
-                return laws::colloid::dlvo_curve(colloid, radius, radius);
-            }
-        },
-        colloid_law(settings.dlvo, settings.temperature));
+std::string describe_stiffness(const ParticleSettings& settings) {
+    if (settings.contact->model == ContactModel::hertz)
+        return fmt::format("Hertz' elastic spheres, shear modulus {:.3g} Pa, Poisson's ratio "
+                           "{:.3g}",
+                           *settings.shear_modulus, *settings.poisson_ratio);
+    return fmt::format("Springs of {:.3g} N/m", *settings.contact->stiffness);
 }
 
 /// Throws where the particles do not fit.
@@ -156,12 +117,12 @@ std::vector<PlanItem> items_for(const Scene& scene, const Forecast& forecast,
                      fmt::format("Peclet number 6 pi mu a^3 rate / kT from {:.3g} to {:.3g}; "
                                  "particles.brownian = {}.",
                                  per_rate * slow, per_rate * fast, settings.brownian)});
-    items.push_back({"contacts", settings.contact.has_value(),
-                     settings.contact
-                         ? fmt::format("Springs of {:.3g} N/m, restitution, friction {:.3g}; {}.",
-                                       settings.contact->stiffness, settings.contact->friction,
-                                       walls ? "with the walls, too" : "no walls")
-                         : std::string("particles.contact is left out: spheres may overlap.")});
+    items.push_back(
+        {"contacts", settings.contact.has_value(),
+         settings.contact
+             ? fmt::format("{}, restitution, friction {:.3g}; {}.", describe_stiffness(settings),
+                           settings.contact->friction, walls ? "with the walls, too" : "no walls")
+             : std::string("particles.contact is left out: spheres may overlap.")});
     if (settings.dlvo) {
         double attraction = 0.0;
         const laws::colloid::DlvoCurve curve = curve_of(settings, radius, attraction);
@@ -189,73 +150,53 @@ std::vector<PlanItem> items_for(const Scene& scene, const Forecast& forecast,
     return items;
 }
 
-std::vector<std::string> warnings_for(const Scene& scene, const Forecast& forecast,
-                                      const SuspensionChoice& choice) {
-    std::vector<std::string> warnings;
-    const ParticleSettings& settings = choice.settings;
-    const double viscosity = std::get<laws::flow::Newtonian>(scene.fluid.law).viscosity;
-    const double radius = 0.5 * sizes_of(settings).largest;
-    const double thermal = laws::colloid::boltzmann * settings.temperature;
-    if (settings.hydrodynamics == Hydrodynamics::drag)
-        warnings.push_back(fmt::format(
-            "hydrodynamics = \"drag\" carries no particle stress: Einstein's 2.5 phi, {} of the "
-            "stress here, is missing (\"stresslet\" or \"auto\" has it).",
-            percent(2.5 * choice.volume_fraction)));
-    if (settings.hydrodynamics == Hydrodynamics::stresslet &&
-        5.0 * choice.volume_fraction * choice.volume_fraction > scene.solver.accuracy)
-        warnings.push_back(fmt::format(
-            "Isolated stresslets leave out the hydrodynamics of pairs, about 5 phi^2 = {} of the "
-            "stress; hydrodynamics = \"lubrication\" has it.",
-            percent(5.0 * choice.volume_fraction * choice.volume_fraction)));
-    if (settings.dlvo) {
-        double attraction = 0.0;
-        const laws::colloid::DlvoCurve curve = curve_of(settings, radius, attraction);
-        if (curve.barrier < thermal)
-            warnings.push_back(fmt::format(
-                "The double layer leaves no barrier against the attraction ({:.2g} kT): the "
-                "suspension will aggregate.",
-                curve.barrier / thermal));
-        if (settings.contact && attraction / settings.contact->stiffness > 0.1 * radius)
-            warnings.push_back(fmt::format("Pairs that pass the barrier attract each other with "
-                                           "{:.2g} N, which presses springs "
-                                           "of {:.2g} N/m in by {:.2g} radii: should pairs get "
-                                           "there, the run stops. A stiffer "
-                                           "contact or a larger minimum_separation holds them.",
-                                           attraction, settings.contact->stiffness,
-                                           attraction / settings.contact->stiffness / radius));
-        if (settings.dlvo->cutoff < 5.0 * debye_length(*settings.dlvo, settings.temperature))
-            warnings.push_back(
-                "dlvo.cutoff is less than five Debye lengths: more than 0.7 % of the "
-                "double layer's force at contact is cut off.");
-    }
-    const double peclet =
-        6 * std::numbers::pi * viscosity * std::pow(radius, 3) * slowest_rate(forecast) / thermal;
-    if (!settings.brownian && peclet < 10.0)
-        warnings.push_back(fmt::format(
-            "The Peclet number falls to {:.2g}: thermal motion, which brownian = false leaves out, "
-            "matters there.",
-            peclet));
-    return warnings;
+StepLimits step_limits(const Scene& scene, const SuspensionChoice& choice, double rate) {
+    const Sizes sizes = sizes_of(choice.settings);
+    SuspensionInput input;
+    input.settings = choice.settings;
+    input.box.length_y = std::get<geometry::Box>(scene.instrument).gap;
+    for (const double diameter : {sizes.smallest, sizes.largest})
+        input.particles.add(0.0, 0.0, 0.0, 0.5 * diameter, choice.settings.density);
+    input.viscosity = std::get<laws::flow::Newtonian>(scene.fluid.law).viscosity;
+    input.accuracy = scene.solver.accuracy;
+    input.fastest_wall_speed = rate * input.box.length_y;
+    return {input, contact_law(choice.settings),
+            colloid_law(choice.settings.dlvo, choice.settings.temperature),
+            choice.settings.integrator == Integrator::explicit_steps};
 }
 
 double expected_seconds(const Scene& scene, const Forecast& forecast,
                         const SuspensionChoice& choice) {
+    const auto* steps = std::get_if<rheometry::Steps>(&scene.protocol.program);
+    const bool by_strain = steps != nullptr && !steps->hold;
     double strain = 0.0;
-    double before = 0.0;
+    double time = 0.0;
     for (const RowForecast& row : forecast.rows) {
-        strain += std::abs(row.shear_rate) * std::max(row.time - before, 0.0);
-        before = row.time;
+        const double rate = std::abs(row.shear_rate);
+        const double begin = time;
+        if (by_strain && rate > 0.0)
+            time += steps->hold_strain.value_or(10.0) / rate;
+        else if (!by_strain)
+            time = std::max(row.time, time);
+        strain += rate * (time - begin);
     }
-    if (const auto* steps = std::get_if<rheometry::Steps>(&scene.protocol.program))
-        if (!steps->hold)
-            strain = steps->hold_strain.value_or(10.0) * static_cast<double>(forecast.rows.size());
     const double rate = fastest_rate(forecast);
-    if (choice.settings.hydrodynamics == Hydrodynamics::lubrication)
-        return strain * choice.count * (0.002 + 0.08 * choice.volume_fraction);
+    if (choice.settings.hydrodynamics == Hydrodynamics::lubrication) {
+        // As bench_dense_shear found; friction takes more iterations.
+        const bool rubs = choice.settings.contact && choice.settings.contact->friction > 0.0;
+        const double finer = std::clamp(scene.solver.accuracy / 1e-2, 0.02, 1.0);
+        return strain * choice.count * (3e-4 + 3.5e-3 * choice.volume_fraction) *
+               (rubs ? 2.5 : 1.0) / finer;
+    }
+    const StepLimits limits = step_limits(scene, choice, rate);
+    // From about one contact in the box on, some pair always touches.
+    const bool touch = choice.settings.contact && choice.count * choice.volume_fraction > 5.0;
+    const double by_colloid =
+        choice.settings.dlvo ? 6e-7 * 180.0 / rate + 2e-7 : std::numeric_limits<double>::infinity();
     const double step = choice.settings.time_step.value_or(
-        std::min(2e-3 / rate, choice.settings.dlvo ? 6e-7 * 180.0 / rate + 2e-7 : 3e-7));
+        std::min(touch ? limits.touching(0.0) : limits.free(), by_colloid));
     const double speed = 4e7 / (1.0 + 4.0 * choice.volume_fraction);
-    return strain / rate / step * choice.count / speed;
+    return time / step * choice.count / speed;
 }
 
 /// Why lubrication cannot be had for these settings; empty when it can.

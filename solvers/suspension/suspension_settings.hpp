@@ -14,9 +14,15 @@ struct SizeClass {
     double share{};    ///< by volume of all particles, 0 < share <= 1
 };
 
-/// Soft-sphere contact between particles, and of a particle with a wall.
+enum class ContactModel {
+    hooke, ///< linear springs
+    hertz  ///< elastic spheres of the particles' shear modulus and Poisson's ratio
+};
+
+/// Soft-sphere contact between particles, and of a particle with a wall of its material.
 struct ContactSettings {
-    double stiffness{};                         ///< normal spring, N/m, > 0
+    ContactModel model = ContactModel::hooke;
+    std::optional<double> stiffness;            ///< normal spring of Hooke, N/m, > 0
     double restitution = 0.9;                   ///< of a head-on pair, 0 < e <= 1
     double friction = 0.3;                      ///< Coulomb coefficient, >= 0
     std::optional<double> tangential_stiffness; ///< N/m; absent: follows from `stiffness`
@@ -61,8 +67,8 @@ struct ParticleSettings {
     Integrator integrator = Integrator::automatic;
     std::int64_t seed = 1;               ///< of all random numbers, >= 0
     std::optional<double> gravity;       ///< m/s^2; absent: off
-    std::optional<double> shear_modulus; ///< Pa; for the Rayleigh time
-    std::optional<double> poisson_ratio; ///< for the Rayleigh time
+    std::optional<double> shear_modulus; ///< Pa; for Hertz and the Rayleigh time
+    std::optional<double> poisson_ratio; ///< for Hertz and the Rayleigh time
     std::optional<double> time_step;     ///< s; absent: the program chooses
 };
 

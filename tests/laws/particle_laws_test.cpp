@@ -1,4 +1,5 @@
 #include "laws/colloid/dlvo.hpp"
+#include "laws/contact/hertz.hpp"
 #include "laws/contact/hooke.hpp"
 #include "laws/contact/rayleigh_time.hpp"
 #include "laws/drag/di_felice.hpp"
@@ -137,6 +138,35 @@ TEST(Hooke, damping_ratio_gives_the_restitution_back) {
         const double gamma = 2.0 * contact::damping_ratio(e) * std::sqrt(k * m);
         EXPECT_NEAR(contact::restitution_of(gamma, k, m), e, 1e-14);
     }
+}
+
+/// A sphere of R = 1 mm, G = 77 GPa, nu = 0.3 pressed onto its like by 1 um, worked by hand:
+/// E* = 77e9 / 0.7 = 1.1e11 Pa, R* = 0.5 mm, a = sqrt(5e-4 1e-6) = 2.236068e-5 m,
+/// F = 4/3 E* a overlap = 3.279567 N, k_t = 8 (77e9 / (2 1.7)) a = 4.051229e6 N/m.
+TEST(Hertz, of_two_spheres_worked_by_hand) {
+    const contact::Hertz law{.shear_modulus = 77e9, .poisson_ratio = 0.3};
+    const contact::ContactSpring spring = law.at(1e-6, 5e-4, 1e-6);
+    EXPECT_NEAR(spring.normal * 1e-6, 3.279567, 1e-6);
+    EXPECT_NEAR(spring.tangential, 4.051229e6, 1.0);
+    EXPECT_NEAR(law.overlap_under(3.279567, 5e-4), 1e-6, 1e-12);
+    EXPECT_EQ(spring.damping, 0.0);
+}
+
+/// Mindlin 1949: the tangential stiffness over the slope of the normal force is
+/// 2 (1 - nu) / (2 - nu), 0.823529 for nu = 0.3; the slope is the derivative of the force.
+TEST(Hertz, stiffnesses_have_mindlins_ratio_and_the_slope_is_the_forces) {
+    const contact::Hertz law{.shear_modulus = 1e7, .poisson_ratio = 0.3};
+    for (const double overlap : {1e-9, 1e-7, 1e-5}) {
+        const contact::ContactSpring spring = law.at(overlap, 1e-4, 1e-9);
+        EXPECT_NEAR(spring.tangential / spring.slope, 0.8235294117647058, 1e-12);
+        const auto force = [&](double at) { return law.at(at, 1e-4, 1e-9).normal * at; };
+        const double probe = 1e-4 * overlap;
+        EXPECT_NEAR((force(overlap + probe) - force(overlap - probe)) / (2.0 * probe) /
+                        spring.slope,
+                    1.0, 1e-8);
+    }
+    EXPECT_EQ(law.at(0.0, 1e-4, 1e-9).normal, 0.0);
+    EXPECT_EQ(law.at(-1e-9, 1e-4, 1e-9).slope, 0.0);
 }
 
 TEST(RayleighTime, of_zirconia_is_that_of_the_paper) {

@@ -35,6 +35,14 @@ inline ColloidSettings zirconia_colloid() {
     return colloid;
 }
 
+/// Elastic spheres in place of springs. @param shear_modulus Pa
+inline void use_hertz(SuspensionInput& input, double shear_modulus) {
+    input.settings.contact->model = ContactModel::hertz;
+    input.settings.contact->stiffness.reset();
+    input.settings.shear_modulus = shear_modulus;
+    input.settings.poisson_ratio = 0.3;
+}
+
 /// Places the particles at random.
 inline void pack(SuspensionInput& input, std::uint64_t seed = 1) {
     input.particles = particles::random_packing({.sizes = {{*input.settings.diameter, 1.0}},

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "laws/contact/contact_law.hpp"
+#include "solvers/particles/pair_forces.hpp"
+#include "solvers/suspension/suspension_input.hpp"
+
+#include <optional>
+
+namespace searle::solvers::suspension {
+
+/// How long the steps of particles with mass may be; docs/suspension.md has what the shares cost
+/// in accuracy.
+class StepLimits {
+public:
+    /// @param explicit_steps  velocity Verlet, which the particles' relaxation limits, too
+    StepLimits(const SuspensionInput& input,
+               const std::optional<laws::contact::AnyContact>& contact,
+               const particles::AnyColloid& colloid, bool explicit_steps);
+
+    /// s, while no particles touch
+    [[nodiscard]] double free() const { return free_; }
+    /// s, while particles touch, the deepest by `overlap` (m): a share of the contact's relaxation.
+    /// A spring that stiffens may meet twice that depth within the steps until this is asked again.
+    [[nodiscard]] double touching(double overlap) const;
+    /// s, for the first step, before the forces' change is known
+    [[nodiscard]] double start() const { return start_; }
+    /// Largest displacement error of a step, m; infinite without colloidal forces.
+    [[nodiscard]] double displacement_error() const { return displacement_error_; }
+
+private:
+    std::optional<laws::contact::AnyContact> contact_;
+    bool explicit_steps_;
+    double contact_time_scale_{}; ///< the contact's share, with the accuracy
+    double drag_{};               ///< of the smallest particle, kg/s
+    double reduced_mass_{};       ///< of the lightest pair, kg
+    double reduced_radius_{};     ///< of the largest particle and a wall, m
+    double foreseen_overlap_{};   ///< that shear alone presses a pair to, m
+    double free_{};
+    double start_{};
+    double displacement_error_{};
+};
+
+} // namespace searle::solvers::suspension
