@@ -111,6 +111,12 @@ std::vector<LagForecast> forecast_lag(const rheometry::SpeedHistory& history, St
             response.decay_time = std::max(response.decay_time, slowest[g]);
             most += std::abs(memory.torque(time, piece, response));
         }
+        for (const GapResponse& chamber : here.chambers) {
+            // An estimate on the high side: it decides what is solved for, and is not told as lag.
+            if (chamber.inertia > 0.0) {
+                most += std::abs(memory.torque(time, piece, chamber));
+            }
+        }
         const double steady = speed == 0.0 ? 0.0 : here.torque;
         forecasts[row].share = share(likely, steady, floor);
         forecasts[row].largest = std::max(forecasts[row].share, share(most, steady, floor));
@@ -130,13 +136,20 @@ std::vector<double> settling_times(SteadyCurve& curve, double start_speed,
             // The tangent flow of the side that forgets more slowly, gap by gap.
             const SteadyState after = curve.at(speed != 0.0 ? speed : previous);
             const SteadyState earlier = previous != 0.0 ? curve.at(previous) : after;
-            for (std::size_t g = 0; g < curve.gaps().size(); ++g) {
-                const double decay_time = std::max(after.gaps[g].response.decay_time,
-                                                   earlier.gaps[g].response.decay_time);
-                const double torque = memory_scale * after.gaps[g].response.inertia / decay_time *
-                                      std::abs(speed - previous);
+            const auto wait_for = [&](const GapResponse& now, const GapResponse& then) {
+                const double decay_time = std::max(now.decay_time, then.decay_time);
+                const double torque =
+                    memory_scale * now.inertia / decay_time * std::abs(speed - previous);
                 longest =
                     std::max(longest, decay_time * std::log(torque / (accuracy * after.torque)));
+            };
+            for (std::size_t g = 0; g < curve.gaps().size(); ++g) {
+                wait_for(after.gaps[g].response, earlier.gaps[g].response);
+            }
+            for (std::size_t c = 0; c < after.chambers.size(); ++c) {
+                if (after.chambers[c].inertia > 0.0) {
+                    wait_for(after.chambers[c], earlier.chambers[c]);
+                }
             }
         }
         time += longest;

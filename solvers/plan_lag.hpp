@@ -12,7 +12,8 @@ namespace searle::solvers {
 struct LagForecast {
     double share{};   ///< |inertial torque| / (|steady torque| + |inertial torque|), 0 ... 1
     double largest{}; ///< the same from an upper estimate: every disturbance decays as slowly as at
-                      ///< any speed since; for the decision whether inertia may be left out
+                      ///< any speed since, and the fluid below and above a bob counts, too; for
+                      ///< the decision whether inertia may be left out
 };
 
 /// Inertial torque of every row: the sum over the history's jumps and ramps of the response of the

@@ -1,5 +1,7 @@
 #include "solvers/plan_steady_curve.hpp"
 
+#include "solvers/plan_chambers.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -47,6 +49,10 @@ void for_each_value(State& state, std::size_t gaps, const Function& function) {
         function(state.gaps[g].response.inertia);
         function(state.gaps[g].response.decay_time);
     }
+    for (auto& chamber : state.chambers) {
+        function(chamber.inertia);
+        function(chamber.decay_time);
+    }
 }
 
 constexpr double tiny = std::numeric_limits<double>::min();
@@ -59,7 +65,7 @@ std::vector<InstrumentGap> gaps_of(const geometry::Instrument& instrument) {
 
 SteadyCurve::SteadyCurve(const geometry::Instrument& instrument, const Fluid& fluid,
                          std::span<const double> speeds)
-    : fluid_(fluid), gaps_(gaps_of(instrument)),
+    : instrument_(instrument), fluid_(fluid), gaps_(gaps_of(instrument)),
       linear_(std::holds_alternative<laws::flow::Newtonian>(fluid.law)),
       smallest_(std::numeric_limits<double>::infinity()) {
     for (const double speed : speeds) {
@@ -89,6 +95,7 @@ SteadyCurve::SteadyCurve(const geometry::Instrument& instrument, const Fluid& fl
 
 SteadyState SteadyCurve::solve(double speed) const {
     SteadyState state;
+    state.chambers = chamber_responses(instrument_, fluid_, speed);
     for (std::size_t g = 0; g < gaps_.size(); ++g) {
         const InstrumentGap& gap = gaps_[g];
         GapState& here = state.gaps[g];
@@ -122,7 +129,7 @@ SteadyState SteadyCurve::interpolate(double speed) const {
         -t * (t - 1.0) * (t - 3.0) / 2.0, t * (t - 1.0) * (t - 2.0) / 6.0};
     SteadyState state;
     for (std::size_t k = 0; k < weights.size(); ++k) {
-        std::array<double, 9> values{};
+        std::array<double, 13> values{};
         std::size_t count = 0;
         for_each_value(nodes_[start + k], gaps_.size(),
                        [&](const double& value) { values[count++] = weights[k] * value; });

@@ -36,6 +36,9 @@ struct GapState {
 struct SteadyState {
     double torque{};
     std::array<GapState, 2> gaps{};
+    /// How the fluid below and above the rotor answers; zeros without ends. Its torque is not in
+    /// `torque`.
+    std::array<GapResponse, 2> chambers{};
 };
 
 /// Steady flows of one instrument and fluid at many speeds: each is solved once; beyond
@@ -61,6 +64,7 @@ private:
     [[nodiscard]] SteadyState solve(double speed) const;
     [[nodiscard]] SteadyState interpolate(double speed) const;
 
+    geometry::Instrument instrument_;
     Fluid fluid_;
     std::vector<InstrumentGap> gaps_;
     bool linear_{}; ///< Newtonian: one solve, scaled

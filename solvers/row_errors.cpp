@@ -22,20 +22,43 @@ double worst_relative_error(std::span<const rheometry::TorqueRow> rows) {
     return worst;
 }
 
-std::vector<double> level_changes(std::span<const double> before, std::span<const double> after) {
+std::vector<double> level_changes(std::span<const double> before, std::span<const double> after,
+                                  const rheometry::SpeedHistory& history, double tolerance) {
     const std::size_t rows = std::min(before.size(), after.size());
+    std::vector<std::size_t> piece(rows); // of each row
+    for (std::size_t k = 0, at = 0; k < rows; ++k) {
+        while (at + 1 < history.pieces.size() &&
+               history.pieces[at].end_time < history.row_times[k]) {
+            ++at;
+        }
+        piece[k] = at;
+    }
     std::vector<double> change(rows);
     for (std::size_t k = 0; k < rows; ++k) {
         for (std::size_t near = k > 0 ? k - 1 : 0; near < std::min(k + 2, rows); ++near) {
-            const double scale = std::max(std::abs(after[k]), 1e-300);
-            const double of_near =
-                std::abs(after[near] - before[near]) / std::max(std::abs(after[near]), 1e-300);
-            // A neighbour's relative change counts; its absolute one may be of another size.
-            change[k] = std::max(change[k], std::min(of_near, 1.0) * scale);
+            const double of_near = std::abs(after[near] - before[near]);
+            const double relative = of_near / std::max(std::abs(after[near]), 1e-300);
+            change[k] = std::max(change[k], std::min(relative, 1.0) * std::abs(after[k]));
+            if (piece[near] == piece[k]) {
+                change[k] = std::max({change[k], of_near, tolerance * std::abs(after[near])});
+            }
         }
-        change[k] = std::max(change[k], std::abs(after[k] - before[k]));
     }
     return change;
+}
+
+std::vector<double> level_errors(std::span<const double> change, std::span<const double> before) {
+    constexpr double safety = 2.0;
+    /// At least this share of a row's last change counts.
+    constexpr double least_share = 0.25;
+    std::vector<double> error(change.size());
+    for (std::size_t k = 0; k < change.size(); ++k) {
+        const double share = k < before.size() && before[k] > 0.0
+                                 ? std::clamp(2.0 * change[k] / before[k], least_share, 1.0)
+                                 : 1.0;
+        error[k] = safety * share * change[k];
+    }
+    return error;
 }
 
 } // namespace searle::solvers

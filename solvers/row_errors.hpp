@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rheometry/speed_history.hpp"
 #include "rheometry/torque_history.hpp"
 
 #include <span>
@@ -11,9 +12,25 @@ namespace searle::solvers {
 /// of the largest one where that is more (a torque may pass through zero); 0 without rows.
 [[nodiscard]] double worst_relative_error(std::span<const rheometry::TorqueRow> rows);
 
-/// Change of each row from one level of resolution to the next, or of a neighbour where that is
-/// more: a row at which two levels happen to cross is not exact.
+/// Change of each row's torque from one level of resolution to the next, or of a neighbour where
+/// that is more, relative to the torque: a row at which two levels happen to cross is not exact.
+/// Within one piece of the history, where the torque is smooth, a neighbour's absolute change
+/// counts as well; and steps that may err by a share of what moves leave at least that share of a
+/// neighbour's torque: of a torque that passes through zero no more is known.
+/// @param before, after  torques of the history's first rows
+/// @param tolerance      of the steps of the later level, relative
 [[nodiscard]] std::vector<double> level_changes(std::span<const double> before,
-                                                std::span<const double> after);
+                                                std::span<const double> after,
+                                                const rheometry::SpeedHistory& history,
+                                                double tolerance);
+
+/// Errors of rows whose torque was found on levels of resolution in time and space: twice the last
+/// change, because the coarser of two levels may err in the same direction as the finer one (just
+/// after a jump, while vortices grow); once two changes of a row are known, later ones shrink at
+/// least as they did, of which half is believed.
+/// @param change, before  level_changes of the last and the last but one level; `before` may have
+///                        fewer rows
+[[nodiscard]] std::vector<double> level_errors(std::span<const double> change,
+                                               std::span<const double> before);
 
 } // namespace searle::solvers

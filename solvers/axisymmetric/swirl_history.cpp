@@ -30,6 +30,7 @@ constexpr double first_rounding = 3e-4;
 constexpr double rounding_fall = 0.25;
 constexpr double smooth_rounding = 1e-6; ///< of laws without a yield stress
 constexpr double safety = 2.0;
+constexpr double first_safety = 3.0; ///< of the first change, with none before to compare
 constexpr double least_scale = 1e-3;
 /// First step after a kink or a jump, over the time to the next row.
 constexpr double first_step = 1e-4;
@@ -142,15 +143,16 @@ SectionLines halved(const SectionLines& lines) {
 /// Bars from the torques of the level before, empty at the first; the result is what each row has
 /// changed by.
 /// @param yield_torque  of a fluid at rest, N m; 0 without a yield stress
+/// @param tolerance     of the level's steps
 std::vector<double> set_errors(const std::vector<double>& before,
                                const std::vector<double>& change_before, double correction,
-                               double yield_torque, const rheometry::SpeedHistory& history,
-                               SwirlHistory& result) {
+                               double yield_torque, double tolerance,
+                               const rheometry::SpeedHistory& history, SwirlHistory& result) {
     double largest = 0.0;
     for (const double each : result.torque) {
         largest = std::max(largest, std::abs(each));
     }
-    std::vector<double> change = level_changes(before, result.torque);
+    std::vector<double> change = level_changes(before, result.torque, history, tolerance);
     result.error.assign(result.torque.size(), largest);
     result.worst_relative_error = before.empty() ? 1.0 : 0.0;
     result.rows_at_rest = 0;
@@ -163,9 +165,10 @@ std::vector<double> set_errors(const std::vector<double>& before,
             continue;
         }
         // Two levels that agree by accident: a sixth of what they differed by before.
-        const double earlier = k < change_before.size() ? change_before[k] / 6.0 : 0.0;
-        result.error[k] =
-            safety * std::max(change[k], earlier) + std::abs((correction - 1.0) * torque);
+        const bool is_third = k < change_before.size();
+        const double earlier = is_third ? change_before[k] / 6.0 : 0.0;
+        result.error[k] = (is_third ? safety : first_safety) * std::max(change[k], earlier) +
+                          std::abs((correction - 1.0) * torque);
         const double against = std::max(torque, least_scale * largest);
         result.worst_relative_error =
             std::max(result.worst_relative_error, against > 0.0 ? result.error[k] / against : 0.0);
@@ -255,8 +258,8 @@ SwirlHistory swirl_history(const SectionShape& shape, const laws::flow::AnyFlowL
             for (const double each : level.torque) {
                 result.torque.push_back(scale * correction * each);
             }
-            change_before =
-                set_errors(before, change_before, correction, yield_torque, history, result);
+            change_before = set_errors(before, change_before, correction, yield_torque,
+                                       settings.tolerance, history, result);
             result.fields =
                 fields_at_rows(level.kept, mesh, shape, law, history, degree, wall_rate);
             result.reached =

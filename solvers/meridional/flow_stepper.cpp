@@ -101,7 +101,7 @@ void FlowStepper::refactorise(double length) {
     factors_are_stale_ = false;
 }
 
-FlowStepper::Outcome FlowStepper::try_step(double length) {
+FlowStepper::Outcome FlowStepper::try_step(double length, double least_scale) {
     constexpr auto stages = static_cast<std::size_t>(Esdirk::stages);
     const double mass_rate = 1.0 / (Esdirk::diagonal * length);
     const double reynolds = material_.reynolds;
@@ -121,7 +121,8 @@ FlowStepper::Outcome FlowStepper::try_step(double length) {
         }
         stage.velocity = state_.velocity + length * Esdirk::diagonal * (drift + rate[i - 1]);
         turn_rotor(stage, drive_.speed_at(time_ + Esdirk::time[i] * length));
-        const double allowed = newton_share * settings_.tolerance * largest(stage.velocity);
+        const double scale = std::max(largest(stage.velocity), least_scale);
+        const double allowed = newton_share * settings_.tolerance * scale;
         double before = 0.0;
         bool converged = false;
         for (int iteration = 0; iteration < most_iterations; ++iteration) {
@@ -155,7 +156,8 @@ FlowStepper::Outcome FlowStepper::try_step(double length) {
     for (std::size_t i = 0; i < stages; ++i) {
         error += length * (Esdirk::weight[stages - 1][i] - Esdirk::embedded[i]) * rate[i];
     }
-    error_ratio_ = largest(error) / (settings_.tolerance * largest(stage.velocity));
+    error_ratio_ =
+        largest(error) / (settings_.tolerance * std::max(largest(stage.velocity), least_scale));
     if (worst_contraction > slow_contraction) {
         factors_are_stale_ = true;
     }
@@ -171,9 +173,12 @@ FlowStepper::Outcome FlowStepper::try_step(double length) {
     return Outcome::taken;
 }
 
-bool FlowStepper::step(double limit) {
+bool FlowStepper::step(double limit, double least_scale) {
     const double least = std::max(settings_.shortest_step, 1e-12 * std::abs(limit));
     for (;;) {
+        if (settings_.at_each_try) {
+            settings_.at_each_try();
+        }
         double length = next_length_;
         const double left = limit - time_;
         const bool is_last = length >= 0.999 * left;
@@ -191,7 +196,8 @@ bool FlowStepper::step(double limit) {
         if (are_fresh) {
             refactorise(length);
         }
-        const Outcome outcome = factorised_length_ > 0.0 ? try_step(length) : Outcome::stuck;
+        const Outcome outcome =
+            factorised_length_ > 0.0 ? try_step(length, least_scale) : Outcome::stuck;
         if (outcome == Outcome::stuck) {
             ++rejected_;
             // Old factors may be the cause; fresh ones are not.

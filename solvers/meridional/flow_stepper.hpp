@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <functional>
+
 namespace searle::solvers::meridional {
 
 /// How the rotor turns from some time on: speed over the reference speed, time times the reference
@@ -25,6 +27,8 @@ struct StepperSettings {
     double shortest_step = 0.0; ///< a step that would have to be shorter is not taken
     /// Speed of each node of the rotor over the drive's, (node); empty: 1 everywhere.
     Eigen::VectorXd rotor_profile{};
+    /// Called before each try of a step; may throw.
+    std::function<void()> at_each_try{};
 };
 
 /// The flow in time: ESDIRK4(3)6L[2]SA (radial/esdirk.hpp) with the pressure as what keeps every
@@ -40,9 +44,13 @@ public:
     /// may its acceleration. The fluid's own velocity stays.
     void begin(const LinearDrive& drive);
 
-    /// One step, not beyond `limit` > time(). False where Newton's method or the error asks for
+    /// One step, not beyond `limit` > time().
+    /// @param least_scale  of the velocity, which errors are measured against where the largest
+    ///                     velocity is less: out of rest the error of a step is a fixed share of
+    ///                     the little that moves, however short it is
+    /// False where Newton's method or the error asks for
     /// steps that are too short; the state is then that of time().
-    [[nodiscard]] bool step(double limit);
+    [[nodiscard]] bool step(double limit, double least_scale = 0.0);
 
     [[nodiscard]] double time() const { return time_; }
     [[nodiscard]] double last_step() const { return time_ - time_before_; }
@@ -57,7 +65,7 @@ public:
 
 private:
     enum class Outcome { taken, inaccurate, stuck };
-    [[nodiscard]] Outcome try_step(double length);
+    [[nodiscard]] Outcome try_step(double length, double least_scale);
     void refactorise(double length);
     void turn_rotor(FlowState& state, double speed) const;
 

@@ -10,22 +10,38 @@ namespace {
 constexpr double first_share = 1e-4;
 /// Steps shorter than this share of the history are a flow that the level cannot hold.
 constexpr double shortest_share = 1e-9;
+/// Velocities below this share of the rotor's at the next row need no accuracy of their own.
+constexpr double least_scale_share = 0.1;
+/// Linear solves that a factorisation takes as long as, about.
+constexpr double factorisation_work = 30.0;
+constexpr double most_level_work = 1e8;
+constexpr double most_overrun = 1.5;
+constexpr double level_growth = 4.0;
 
 } // namespace
 
+bool may_follow(const HistoryRun& before) { return level_growth * before.work <= most_level_work; }
+
 HistoryRun run_history(FlowLevel& level, const ScaledFluid& fluid, double reference_speed,
                        const rheometry::SpeedHistory& history, double tolerance,
-                       const ProgressSink& progress, const Eigen::VectorXd& rotor_profile,
-                       long most_solves) {
+                       const ProgressSink& progress, const Eigen::VectorXd& rotor_profile) {
     HistoryRun run;
     const double duration = history.duration();
     const std::vector<double>& rows = history.row_times;
     const double first_row = rows.empty() ? duration : rows.front();
+    const long factored_before = level.system().factorisations();
+    double fraction = 0.0;
+    const auto at_each_try = [&] {
+        if (progress) {
+            progress(fraction, "secondary flow in time");
+        }
+    };
     FlowStepper stepper(level.system(), fluid.material(), level.state(),
                         {.tolerance = tolerance,
                          .first_step = first_share * first_row * reference_speed,
                          .shortest_step = shortest_share * duration * reference_speed,
-                         .rotor_profile = rotor_profile});
+                         .rotor_profile = rotor_profile,
+                         .at_each_try = at_each_try});
     std::size_t row = 0;
     for (const auto& piece : history.pieces) {
         const double length = piece.end_time - piece.start_time;
@@ -35,11 +51,17 @@ HistoryRun run_history(FlowLevel& level, const ScaledFluid& fluid, double refere
                                        (reference_speed * reference_speed)});
         const double end = piece.end_time * reference_speed;
         while (stepper.time() < end) {
-            const bool taken = stepper.step(end);
+            const double next_speed =
+                row < rows.size() ? std::abs(history.speed_at(rows[row])) / reference_speed : 0.0;
+            const bool taken = stepper.step(end, least_scale_share * next_speed);
             run.steps = stepper.steps();
             run.solves = stepper.solves();
             run.end_time = stepper.time() / reference_speed;
-            run.too_dear = run.solves > most_solves;
+            run.work = static_cast<double>(level.space().unknowns()) *
+                       (static_cast<double>(run.solves) +
+                        factorisation_work *
+                            static_cast<double>(level.system().factorisations() - factored_before));
+            run.too_dear = run.work > most_overrun * most_level_work;
             if (!taken || run.too_dear) {
                 level.set_state(stepper.state());
                 return run;
@@ -48,9 +70,7 @@ HistoryRun run_history(FlowLevel& level, const ScaledFluid& fluid, double refere
                 run.torque.push_back(stepper.torque_at(rows[row] * reference_speed));
                 ++row;
             }
-            if (progress) {
-                progress(run.end_time / duration, "secondary flow in time");
-            }
+            fraction = run.end_time / duration;
         }
     }
     // Rounding of the last row's time must not lose it.

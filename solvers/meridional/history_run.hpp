@@ -6,7 +6,6 @@
 #include "solvers/meridional/flow_stepper.hpp"
 #include "solvers/progress.hpp"
 
-#include <limits>
 #include <vector>
 
 namespace searle::solvers::meridional {
@@ -19,21 +18,26 @@ struct HistoryRun {
     double end_time{}; ///< s; the history's duration unless it got stuck
     long steps{};
     long solves{};
-    bool too_dear{}; ///< it ended because it took more than `most_solves`
+    /// Unknowns times (linear solves and what factorisations take of their time): about 0.6
+    /// microseconds each.
+    double work{};
+    bool too_dear{}; ///< it ended because it took more work than a level may
 };
 
+/// Ends where it is when it takes more work than a level may.
 /// @param level      its state is the flow before t = 0, in units of the reference speed; on return
 ///                   the one at end_time
 /// @param fluid      at the reference speed
 /// @param reference_speed  rad/s, > 0
 /// @param tolerance  of the velocity's error in one step, over the largest velocity
 /// @param rotor_profile  see StepperSettings
-/// @param most_solves  linear ones, after which the run ends where it is
 /// May throw Interrupted.
 [[nodiscard]] HistoryRun run_history(FlowLevel& level, const ScaledFluid& fluid,
                                      double reference_speed, const rheometry::SpeedHistory& history,
                                      double tolerance, const ProgressSink& progress,
-                                     const Eigen::VectorXd& rotor_profile = {},
-                                     long most_solves = std::numeric_limits<long>::max());
+                                     const Eigen::VectorXd& rotor_profile = {});
+
+/// Whether the next level may be expected to take no more work than a level may, about a minute.
+[[nodiscard]] bool may_follow(const HistoryRun& before);
 
 } // namespace searle::solvers::meridional

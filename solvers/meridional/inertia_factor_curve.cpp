@@ -74,7 +74,12 @@ void InertiaFactorCurve::solve_all(std::span<const double> speeds, double accura
             interpolation_error_ =
                 std::max(interpolation_error_, std::abs(factor / solved_.at(speed).factor - 1.0));
         }
-        if (interpolation_error_ <= interpolation_share * accuracy) {
+        // Where a flow was not found no number of points makes the curve smooth.
+        double worst = accuracy;
+        for (const auto& [speed, found] : solved_) {
+            worst = std::max(worst, found.relative_error);
+        }
+        if (interpolation_error_ <= interpolation_share * worst) {
             break;
         }
     }

@@ -29,20 +29,9 @@ constexpr double first_tolerance = 0.3;
 constexpr double tolerance_fall = 0.3;
 /// Of the corner that a power law has at rest, over the rate at the wall at the fastest speed.
 constexpr double rounding = 1e-5;
-/// Just after a jump the coarser of two levels may err in the same direction as the finer one.
-constexpr double safety = 2.0;
-/// At least this share of a row's last change counts as its error.
-constexpr double least_share = 0.25;
 constexpr double creeping_tolerance = 1e-10; ///< of the energy
 /// Torques are judged against themselves, or against this share of the largest one.
 constexpr double least_scale = 1e-3;
-
-/// Linear solves times unknowns (about half a microsecond each) that a level may be expected to
-/// take, from the one before times `level_growth`; one that takes `most_overrun` times as many
-/// ends.
-constexpr double most_work = 6e7;
-constexpr double level_growth = 4.0;
-constexpr double most_overrun = 1.5;
 
 double largest_of(const std::vector<double>& values) {
     double largest = 0.0;
@@ -107,9 +96,9 @@ TransientTorque transient_secondary_flow(const geometry::DinBob& bob,
     std::vector<double> change_before;
     const std::size_t rows = history.row_times.size();
     try {
-        double work = 0.0;
+        HistoryRun last;
         for (const FlowResolution& resolution : resolutions) {
-            if (result.levels > 1 && level_growth * work > most_work) {
+            if (result.levels > 1 && !may_follow(last)) {
                 break;
             }
             const ScaledFluid fluid(law, density, bob.bob_radius, reference_speed, wall_rate,
@@ -135,11 +124,9 @@ TransientTorque transient_secondary_flow(const geometry::DinBob& bob,
                 level.set_state(rest(level.space()));
             }
             const HistoryRun run =
-                run_history(level, fluid, reference_speed, history, tolerance, progress, {},
-                            static_cast<long>(most_overrun * most_work /
-                                              static_cast<double>(level.space().unknowns())));
+                run_history(level, fluid, reference_speed, history, tolerance, progress);
             result.linear_solves += run.solves;
-            work = static_cast<double>(run.solves) * static_cast<double>(level.space().unknowns());
+            last = run;
             if (run.too_dear && result.levels > 0) {
                 result.stopped =
                     fmt::format("level {} took more work than a level may", result.levels + 1);
@@ -162,19 +149,14 @@ TransientTorque transient_secondary_flow(const geometry::DinBob& bob,
                                        run.too_dear ? "it took more work than a level may"
                                                     : "its time steps became too short");
             const std::vector<double> before = std::exchange(result.torque, torque);
-            const std::vector<double> change = level_changes(before, result.torque);
+            const std::vector<double> change =
+                level_changes(before, result.torque, history, tolerance);
             const double largest = largest_of(result.torque);
             double worst = result.levels == 1 ? 1.0 : 0.0;
             result.error.assign(result.torque.size(), largest);
+            const std::vector<double> error = level_errors(change, change_before);
             for (std::size_t k = 0; k < change.size(); ++k) {
-                // Once two changes of a row are known, later ones shrink at least as they did; half
-                // of that is believed.
-                const double share =
-                    k < change_before.size() && change_before[k] > 0.0
-                        ? std::clamp(2.0 * change[k] / change_before[k], least_share, 1.0)
-                        : 1.0;
-                result.error[k] =
-                    safety * share * change[k] + std::abs((correction - 1.0) * torque[k]);
+                result.error[k] = error[k] + std::abs((correction - 1.0) * torque[k]);
                 const double against = std::max(std::abs(result.torque[k]), least_scale * largest);
                 worst = std::max(worst, against > 0.0 ? result.error[k] / against : 0.0);
             }

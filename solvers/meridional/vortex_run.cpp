@@ -15,29 +15,21 @@
 namespace searle::solvers::meridional {
 namespace {
 
-constexpr std::array<CellResolution, 5> resolutions{{{.degree = 5, .columns = 2, .rows = 2},
+constexpr std::array<CellResolution, 6> resolutions{{{.degree = 5, .columns = 2, .rows = 2},
                                                      {.degree = 7, .columns = 2, .rows = 2},
                                                      {.degree = 9, .columns = 2, .rows = 2},
                                                      {.degree = 9, .columns = 4, .rows = 4},
+                                                     {.degree = 10, .columns = 4, .rows = 4},
                                                      {.degree = 10, .columns = 8, .rows = 8}}};
 constexpr double first_tolerance = 0.1; ///< of a step, over the accuracy
 constexpr double tolerance_fall = 0.2;
 constexpr double rounding = 1e-5;
 /// Torques are judged against themselves, or against this share of the fastest speed's.
 constexpr double least_scale = 1e-3;
-/// While vortices grow or die, the coarser of two levels may be late in the same way as the finer.
-constexpr double safety = 2.0;
-/// Linear solves times unknowns (about a microsecond each, with what a step costs besides) that a
-/// level may be expected to take, from the one before times `level_growth`, and at most may take.
-constexpr double most_work = 3e7;
-constexpr double level_growth = 4.0;
-constexpr double most_overrun = 1.5;
 
 HistoryRun run_level(FlowLevel& level, const VortexCell& cell, const ScaledFluid& fluid,
                      double reference_speed, const rheometry::SpeedHistory& history,
                      double tolerance, double disturbance, const ProgressSink& progress) {
-    const long most_solves =
-        static_cast<long>(most_overrun * most_work / static_cast<double>(level.space().unknowns()));
     FlowState profile = rest(level.space());
     disturb_rotor(cell, level.space(), disturbance, profile);
     const Eigen::VectorXd rotor =
@@ -52,8 +44,7 @@ HistoryRun run_level(FlowLevel& level, const VortexCell& cell, const ScaledFluid
         start.pressure.setZero();
     }
     level.set_state(std::move(start));
-    return run_history(level, fluid, reference_speed, history, tolerance, progress, rotor,
-                       most_solves);
+    return run_history(level, fluid, reference_speed, history, tolerance, progress, rotor);
 }
 
 } // namespace
@@ -72,9 +63,10 @@ VortexRun vortex_run(const radial::AnnularGap& gap, double wavelength,
     const double scale =
         2.0 * std::numbers::pi * std::pow(gap.inner_radius, 2) * fluid.stress_scale() / cell.height;
     double tolerance = first_tolerance * *std::ranges::max_element(accuracies);
-    double work = 0.0;
+    HistoryRun last;
+    std::vector<double> change_before;
     for (const CellResolution& resolution : resolutions) {
-        if (result.levels > 1 && level_growth * work > most_work) {
+        if (result.levels > 1 && !may_follow(last)) {
             result.stopped =
                 fmt::format("The vortices were followed on {} levels of resolution: the "
                             "next would take more work than a level may.",
@@ -94,7 +86,7 @@ VortexRun vortex_run(const radial::AnnularGap& gap, double wavelength,
             break;
         }
         result.linear_solves += run.solves;
-        work = static_cast<double>(run.solves) * static_cast<double>(level->space().unknowns());
+        last = run;
         if (run.too_dear && result.levels > 0) {
             result.stopped =
                 fmt::format("The vortices were followed on {} levels of resolution: the "
@@ -114,13 +106,15 @@ VortexRun vortex_run(const radial::AnnularGap& gap, double wavelength,
             torque.push_back(scale * each);
         }
         const std::vector<double> before = std::exchange(result.torque, torque);
-        const std::vector<double> change = level_changes(before, torque);
-        result.error.assign(torque.size(), 0.0);
+        const std::vector<double> change = level_changes(before, torque, history, tolerance);
+        result.error = level_errors(change, std::exchange(change_before, change));
+        for (std::size_t k = change.size(); k < torque.size(); ++k) {
+            result.error.push_back(std::abs(torque[k]));
+        }
         double worst = 0.0; // over what was asked
         for (std::size_t k = 0; k < torque.size(); ++k) {
-            const double size = std::abs(torque[k]);
-            result.error[k] = k < change.size() ? safety * change[k] : size;
-            const double against = std::max(size, least_scale * fastest.torque_per_length);
+            const double against =
+                std::max(std::abs(torque[k]), least_scale * fastest.torque_per_length);
             worst = std::max(worst, result.error[k] / (against * accuracies[k]));
         }
         ++result.levels;

@@ -61,7 +61,7 @@ casefile::Keys<ContactSettings> contact_keys() {
         if (!is_hertz && !findings.given("stiffness"))
             findings.contradiction({"stiffness", "model"},
                                    "the stiffness of hooke's spring is missing",
-                                   "stiffness, or model = \"hertz\"");
+                                   "a stiffness, such as \"1e-2 N/m\", or model = \"hertz\"");
         for (const char* key : {"stiffness", "tangential_stiffness"})
             if (is_hertz && findings.given(key))
                 findings.contradiction({key, "model"},

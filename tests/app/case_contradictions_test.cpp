@@ -221,6 +221,14 @@ TEST(case_faults, suspension_bounds_and_contradictions) {
             20, "the shares sum to 0.4", "sum to 1", ""});
     expect({particles("diameter = \"1 um\"\ncontact = {}"), "particles.contact.stiffness", 21,
             "is missing", "a stiffness", ""});
+    const std::string hertz = "diameter = \"1 um\"\ncontact = { model = \"hertz\" }";
+    expect({particles(hertz + "\npoisson_ratio = 0.3"), "particles.contact", 21,
+            "needs the shear_modulus", "shear_modulus and poisson_ratio", ""});
+    expect({particles(hertz + "\nshear_modulus = \"1 GPa\""), "particles.contact", 21,
+            "needs the poisson_ratio", "shear_modulus and poisson_ratio", ""});
+    expect({particles("diameter = \"1 um\"\ncontact = { model = \"hertz\", stiffness = \"1 N/m\" "
+                      "}\nshear_modulus = \"1 GPa\"\npoisson_ratio = 0.3"),
+            "particles.contact.stiffness", 21, "hertz takes its stiffness", "shear_modulus", ""});
     expect({particles(
                 "diameter = \"1 um\"\ndlvo = {hamaker = \"1e-20 J\", zeta_potential = \"30 mV\"}"),
             "particles.dlvo.debye_length", 21, "thickness is missing", "ionic_strength", ""});

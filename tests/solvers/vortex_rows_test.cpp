@@ -73,7 +73,7 @@ Stopped stopped_in_level(int number) {
     };
     Stopped stopped;
     try {
-        const std::vector<double> accuracies(2, 1e-4);
+        const std::vector<double> accuracies(2, 1e-6);
         stopped.run = vortex_run(gap, 0.004, laws::flow::Newtonian{1e-2}, 1150.0, 1e-3, hold,
                                  accuracies, stop);
     } catch (const Interrupted&) {
