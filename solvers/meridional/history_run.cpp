@@ -14,7 +14,7 @@ constexpr double shortest_share = 1e-9;
 constexpr double least_scale_share = 0.1;
 /// Linear solves that a factorisation takes as long as, about.
 constexpr double factorisation_work = 30.0;
-constexpr double most_level_work = 1e8;
+constexpr double most_level_work = 6e7;
 constexpr double most_overrun = 1.5;
 constexpr double level_growth = 4.0;
 

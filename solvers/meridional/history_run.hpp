@@ -37,7 +37,8 @@ struct HistoryRun {
                                      double tolerance, const ProgressSink& progress,
                                      const Eigen::VectorXd& rotor_profile = {});
 
-/// Whether the next level may be expected to take no more work than a level may, about a minute.
+/// Whether the next level may be expected to take no more work than a level may, about half a
+/// minute.
 [[nodiscard]] bool may_follow(const HistoryRun& before);
 
 } // namespace searle::solvers::meridional

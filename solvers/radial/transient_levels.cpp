@@ -283,6 +283,11 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
 
     const std::vector<double> steady = steady_torque(gaps, law, history);
     const double yield = yield_torque(gaps, law);
+    // The first two levels share their steps: where a stop is singular in time two halvings are
+    // needed to see it.
+    const bool stops = std::ranges::any_of(
+        history.row_times, [&](double time) { return history.speed_at(time) == 0.0; });
+    const int first_judged = stops && !newtonian ? 3 : 2;
     const int steps_per_row = newtonian ? 1 : steps_for_events(history);
     TransientTorque result;
     std::vector<double> coarse;
@@ -348,7 +353,7 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
                 result.worst_relative_error = std::max(result.worst_relative_error, bar);
             }
             earlier = std::move(difference);
-            result.reached = level > 1 && result.worst_relative_error <= accuracy;
+            result.reached = level >= first_judged && result.worst_relative_error <= accuracy;
             // Finer grids only add rounding once it is the larger part of the bar.
             const bool rounded = level > 1 && worst_rounding > 0.3 * result.worst_relative_error;
             if (result.reached || rounded || elements > most_elements / 2 || expected > allowed) {
