@@ -5,19 +5,16 @@
 #include <stdexcept>
 
 namespace searle::rheometry {
-namespace {
 
-const SpeedHistory::Piece& piece_at(const std::vector<SpeedHistory::Piece>& pieces, double time) {
+const SpeedHistory::Piece& SpeedHistory::piece_at(double time) const {
     if (pieces.empty()) {
         throw std::logic_error("a speed history without pieces has no speed");
     }
-    const auto found = std::lower_bound(
-        pieces.begin(), pieces.end(), time,
-        [](const SpeedHistory::Piece& piece, double t) { return piece.end_time < t; });
+    const auto found =
+        std::lower_bound(pieces.begin(), pieces.end(), time,
+                         [](const Piece& piece, double t) { return piece.end_time < t; });
     return found == pieces.end() ? pieces.back() : *found;
 }
-
-} // namespace
 
 double SpeedHistory::fastest_speed() const {
     double fastest = std::abs(initial_speed);
@@ -28,14 +25,14 @@ double SpeedHistory::fastest_speed() const {
 }
 
 double SpeedHistory::speed_at(double time) const {
-    const Piece& piece = piece_at(pieces, time);
+    const Piece& piece = piece_at(time);
     const double fraction = (time - piece.start_time) / (piece.end_time - piece.start_time);
     // std::lerp meets both ends exactly.
     return std::lerp(piece.start_speed, piece.end_speed, std::clamp(fraction, 0.0, 1.0));
 }
 
 double SpeedHistory::acceleration_at(double time) const {
-    const Piece& piece = piece_at(pieces, time);
+    const Piece& piece = piece_at(time);
     return (piece.end_speed - piece.start_speed) / (piece.end_time - piece.start_time);
 }
 

@@ -26,6 +26,8 @@ struct SpeedHistory {
     [[nodiscard]] double duration() const { return pieces.empty() ? 0.0 : pieces.back().end_time; }
     /// Largest magnitude of the speed, the one before t = 0 included.
     [[nodiscard]] double fastest_speed() const;
+    /// The piece that holds `time`, the earlier one where two meet. Throws without pieces.
+    [[nodiscard]] const Piece& piece_at(double time) const;
     /// Speed just before or at `time`, 0 <= time <= duration().
     [[nodiscard]] double speed_at(double time) const;
     /// Time derivative of the speed just before `time`.

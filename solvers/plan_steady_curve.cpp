@@ -49,10 +49,6 @@ void for_each_value(State& state, std::size_t gaps, const Function& function) {
         function(state.gaps[g].response.inertia);
         function(state.gaps[g].response.decay_time);
     }
-    for (auto& chamber : state.chambers) {
-        function(chamber.inertia);
-        function(chamber.decay_time);
-    }
 }
 
 constexpr double tiny = std::numeric_limits<double>::min();
@@ -129,7 +125,7 @@ SteadyState SteadyCurve::interpolate(double speed) const {
         -t * (t - 1.0) * (t - 3.0) / 2.0, t * (t - 1.0) * (t - 2.0) / 6.0};
     SteadyState state;
     for (std::size_t k = 0; k < weights.size(); ++k) {
-        std::array<double, 13> values{};
+        std::array<double, 9> values{};
         std::size_t count = 0;
         for_each_value(nodes_[start + k], gaps_.size(),
                        [&](const double& value) { values[count++] = weights[k] * value; });
@@ -137,6 +133,7 @@ SteadyState SteadyCurve::interpolate(double speed) const {
         for_each_value(state, gaps_.size(), [&](double& value) { value += values[index++]; });
     }
     for_each_value(state, gaps_.size(), [](double& value) { value = std::exp(value); });
+    state.chambers = chamber_responses(instrument_, fluid_, speed);
     return state;
 }
 

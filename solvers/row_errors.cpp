@@ -25,21 +25,14 @@ double worst_relative_error(std::span<const rheometry::TorqueRow> rows) {
 std::vector<double> level_changes(std::span<const double> before, std::span<const double> after,
                                   const rheometry::SpeedHistory& history, double tolerance) {
     const std::size_t rows = std::min(before.size(), after.size());
-    std::vector<std::size_t> piece(rows); // of each row
-    for (std::size_t k = 0, at = 0; k < rows; ++k) {
-        while (at + 1 < history.pieces.size() &&
-               history.pieces[at].end_time < history.row_times[k]) {
-            ++at;
-        }
-        piece[k] = at;
-    }
+    const auto piece = [&](std::size_t row) { return &history.piece_at(history.row_times[row]); };
     std::vector<double> change(rows);
     for (std::size_t k = 0; k < rows; ++k) {
         for (std::size_t near = k > 0 ? k - 1 : 0; near < std::min(k + 2, rows); ++near) {
             const double of_near = std::abs(after[near] - before[near]);
             const double relative = of_near / std::max(std::abs(after[near]), 1e-300);
             change[k] = std::max(change[k], std::min(relative, 1.0) * std::abs(after[k]));
-            if (piece[near] == piece[k]) {
+            if (piece(near) == piece(k)) {
                 change[k] = std::max({change[k], of_near, tolerance * std::abs(after[near])});
             }
         }

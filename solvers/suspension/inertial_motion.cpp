@@ -33,7 +33,7 @@ InertialMotion::InertialMotion(SuspensionInput input)
                                                                     input_.coupling.model,
                                                                     input_.viscosity,
                                                                     input_.density},
-      limits_(input_, contact_, colloid_, input_.settings.integrator == Integrator::explicit_steps),
+      limits_(input_),
       control_(input_.settings.time_step.value_or(limits_.start()),
                input_.settings.time_step.value_or(limits_.free()), limits_.displacement_error()) {
     const std::size_t count = particles_.size();

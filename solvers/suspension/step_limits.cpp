@@ -53,10 +53,9 @@ double overlap_in_shear(const laws::contact::AnyContact& contact, double viscosi
 
 } // namespace
 
-StepLimits::StepLimits(const SuspensionInput& input,
-                       const std::optional<laws::contact::AnyContact>& contact,
-                       const particles::AnyColloid& colloid, bool explicit_steps)
-    : contact_(contact), explicit_steps_(explicit_steps) {
+StepLimits::StepLimits(const SuspensionInput& input)
+    : contact_(contact_law(input.settings)),
+      explicit_steps_(input.settings.integrator == Integrator::explicit_steps) {
     const double scale = step_scale(input.accuracy);
     const double least_radius = smallest(input.particles.radius);
     const double least_mass = smallest(input.particles.mass);
@@ -66,7 +65,7 @@ StepLimits::StepLimits(const SuspensionInput& input,
     reduced_mass_ = 0.5 * least_mass;
     reduced_radius_ = input.particles.largest_radius();
     free_ = scale * strain_share / rate;
-    if (explicit_steps) {
+    if (explicit_steps_) {
         free_ = std::min(free_, explicit_share * least_mass / drag_);
         if (input.settings.shear_modulus)
             free_ =
@@ -82,7 +81,9 @@ StepLimits::StepLimits(const SuspensionInput& input,
     start_ = free_;
     displacement_error_ = std::numeric_limits<double>::infinity();
     if (input.settings.dlvo) {
-        if (const double stiffness = largest_stiffness(colloid, least_radius); stiffness > 0.0)
+        if (const double stiffness = largest_stiffness(
+                colloid_law(input.settings.dlvo, input.settings.temperature), least_radius);
+            stiffness > 0.0)
             free_ = std::min(free_, std::min(scale, 1.0) * colloid_share * drag_ / stiffness);
         displacement_error_ = error_share * scale * scale *
                               debye_length(*input.settings.dlvo, input.settings.temperature);

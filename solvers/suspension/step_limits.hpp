@@ -1,7 +1,6 @@
 #pragma once
 
 #include "laws/contact/contact_law.hpp"
-#include "solvers/particles/pair_forces.hpp"
 #include "solvers/suspension/suspension_input.hpp"
 
 #include <optional>
@@ -12,10 +11,8 @@ namespace searle::solvers::suspension {
 /// in accuracy.
 class StepLimits {
 public:
-    /// @param explicit_steps  velocity Verlet, which the particles' relaxation limits, too
-    StepLimits(const SuspensionInput& input,
-               const std::optional<laws::contact::AnyContact>& contact,
-               const particles::AnyColloid& colloid, bool explicit_steps);
+    /// Of the input: particles, settings, viscosity, accuracy, gap and fastest speed.
+    explicit StepLimits(const SuspensionInput& input);
 
     /// s, while no particles touch
     [[nodiscard]] double free() const { return free_; }

@@ -160,9 +160,7 @@ StepLimits step_limits(const Scene& scene, const SuspensionChoice& choice, doubl
     input.viscosity = std::get<laws::flow::Newtonian>(scene.fluid.law).viscosity;
     input.accuracy = scene.solver.accuracy;
     input.fastest_wall_speed = rate * input.box.length_y;
-    return {input, contact_law(choice.settings),
-            colloid_law(choice.settings.dlvo, choice.settings.temperature),
-            choice.settings.integrator == Integrator::explicit_steps};
+    return StepLimits(input);
 }
 
 double expected_seconds(const Scene& scene, const Forecast& forecast,
