@@ -106,11 +106,9 @@ void note_stability(const Plan& plan, InertiaFactorCurve& curve, radial::RadialR
 }
 
 /// Replaces the fields of steady rows by those with the secondary flow.
-void add_secondary_fields(const Scene& scene, AxisymmetricReport& report,
+void add_secondary_fields(const Scene& scene, SteadySecondaryFlow& flow, AxisymmetricReport& report,
                           const ProgressSink& progress) {
     const geometry::DinBob bob = bob_of(scene);
-    SteadySecondaryFlow flow(bob, scene.fluid.law, scene.fluid.density,
-                             factor_share * scene.solver.accuracy);
     for (rheometry::fields::SectionFields& section : report.solution.fields) {
         const double speed = std::abs(section.speed);
         if (speed == 0.0 || flow.at(speed, progress).levels == 0) {
@@ -191,7 +189,7 @@ void apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& rep
     }
     if (!report.solution.fields.empty() && !report.solution.transient) {
         try {
-            add_secondary_fields(scene, report, progress);
+            add_secondary_fields(scene, curve.flow(), report, progress);
         } catch (const Interrupted&) {
             report.solution.fields.clear();
             report.solution.interrupted = true;

@@ -12,10 +12,17 @@ constexpr double grading_ratio = 0.15;
 constexpr int extra_points = 2; ///< of the Gauss rule beyond the degree: convection is cubic
 constexpr int most_newton_steps = 12;
 constexpr int most_creeping_steps = 60;
-/// Newton's method is given up when a step is this many times the one before it.
-constexpr double growth_allowed = 3.0;
-/// ... or, in units of the rotor's speed, larger than this.
+/// Newton's method is given up when a step, in units of the rotor's speed, is larger than this ...
 constexpr double largest_step = 4.0;
+/// ... or when less than this of it would have to be taken.
+constexpr double least_damping = 0.02;
+/// Factors are kept for a further step while the change falls at least by this: a step with old
+/// factors costs a fraction of one with new ones.
+constexpr double kept_contraction = 0.3;
+/// What the last change is expected to leave, over the tolerance.
+constexpr double left_share = 0.01;
+
+double size_of(const FlowState& change) { return change.velocity.cwiseAbs().maxCoeff(); }
 
 } // namespace
 
@@ -103,7 +110,7 @@ void FlowLevel::start_from(const FlowLevel& other) {
 bool FlowLevel::solve_steady(const FlowMaterial& material, double tolerance,
                              const std::function<void()>& before_step) {
     const FlowState start = state_;
-    double before = largest_step;
+    double damping = 1.0;
     for (int step = 0; step < most_newton_steps; ++step) {
         if (before_step) {
             try {
@@ -116,17 +123,49 @@ bool FlowLevel::solve_steady(const FlowMaterial& material, double tolerance,
         if (!system_.factorise(state_, material)) {
             break;
         }
-        const FlowState change = system_.newton_change(system_.residual(state_, material));
-        const double size = change.velocity.cwiseAbs().maxCoeff();
-        if (!(size < largest_step) || (step > 1 && size > growth_allowed * before)) {
+        FlowState change = system_.newton_change(system_.residual(state_, material));
+        if (!(size_of(change) < largest_step)) {
             break;
         }
-        add(state_, change, 1.0);
-        // The next step would be about size^2 / before.
-        if (size <= tolerance || (step > 0 && size < before && size * size <= tolerance * before)) {
-            return true;
+        // Deuflhard's natural test (Newton Methods for Nonlinear Problems, 2004, section 3.3): the
+        // next change by the same factors has to be smaller, whatever the equations' scaling.
+        FlowState next;
+        for (;;) {
+            const FlowState from = state_;
+            add(state_, change, damping);
+            next = system_.newton_change(system_.residual(state_, material));
+            const double length = change.velocity.norm();
+            if (next.velocity.norm() <= (1.0 - 0.25 * damping) * length) {
+                break;
+            }
+            state_ = from;
+            const double curved = (next.velocity - (1.0 - damping) * change.velocity).norm();
+            const double foreseen = 0.5 * damping * damping * length / curved;
+            damping = std::clamp(foreseen, 0.1 * damping, 0.5 * damping);
+            if (!(damping >= least_damping)) {
+                state_ = start;
+                return false;
+            }
         }
-        before = size;
+        if (damping < 1.0) {
+            const double curved = (next.velocity - (1.0 - damping) * change.velocity).norm();
+            damping = std::min(1.0, damping * damping * change.velocity.norm() / curved);
+            continue;
+        }
+        for (;;) {
+            const double before = size_of(change);
+            const double size = size_of(next);
+            const double left = left_share * tolerance;
+            if (!(size < kept_contraction * before || size <= left)) {
+                break;
+            }
+            add(state_, next, 1.0);
+            if (size <= left || size * size <= left * before) {
+                return true;
+            }
+            change = std::move(next);
+            next = system_.newton_change(system_.residual(state_, material));
+        }
     }
     state_ = start;
     return false;

@@ -18,6 +18,9 @@ constexpr int last_degree = 32;
 /// Of the accuracy: what each solution and what interpolation may miss where both count.
 constexpr double solution_share = 0.5;
 constexpr double interpolation_share = 0.3;
+/// Work after which further speeds get a tenth of what one may take.
+constexpr double most_work_at_ease = 2.0 * SteadySecondaryFlow::most_work;
+constexpr double share_after = 0.1;
 
 /// The asked accuracy, or what the levels there are come to at best: asking them for more costs
 /// time and brings nothing.
@@ -74,6 +77,9 @@ void InertiaFactorCurve::solve_all(std::span<const double> speeds, double accura
             interpolation_error_ =
                 std::max(interpolation_error_, std::abs(factor / solved_.at(speed).factor - 1.0));
         }
+        if (flow_.work() > most_work_at_ease) {
+            break;
+        }
         // Where a flow was not found no number of points makes the curve smooth.
         double worst = accuracy;
         for (const auto& [speed, found] : solved_) {
@@ -86,7 +92,8 @@ void InertiaFactorCurve::solve_all(std::span<const double> speeds, double accura
 }
 
 void InertiaFactorCurve::solve(double speed, const ProgressSink& progress) {
-    const InertiaFactor found = flow_.at(speed, progress);
+    const double share = flow_.work() > most_work_at_ease ? share_after : 1.0;
+    const InertiaFactor found = flow_.at(speed, progress, share * SteadySecondaryFlow::most_work);
     levels_ = std::max(levels_, found.levels);
     unknowns_ = std::max(unknowns_, found.unknowns);
     solved_[speed] = found;

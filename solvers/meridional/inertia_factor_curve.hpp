@@ -36,6 +36,8 @@ public:
     [[nodiscard]] long factorisations() const { return flow_.factorisations(); }
     /// Of the flow solved for last, on its finest level; without lines when there was none.
     [[nodiscard]] axisymmetric::SectionDivision division();
+    /// The flows behind the curve, for one more speed or for the velocities at one.
+    [[nodiscard]] SteadySecondaryFlow& flow() { return flow_; }
     /// Growth of the leading axisymmetric disturbance of the steady flow at a speed, 1/s (real
     /// part) and rad/s (imaginary part); nothing where it cannot be told. Solves for the flow
     /// again.

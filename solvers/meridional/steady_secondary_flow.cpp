@@ -31,6 +31,7 @@ constexpr double first_yield_rounding = 2e-2;
 constexpr double smooth_rounding = 1e-5;    ///< of laws without a yield stress, at rest
 constexpr double creeping_tolerance = 1e-4; ///< of the energy, over the accuracy
 /// Past the onset of Taylor vortices there are many steady flows; further levels hop between them.
+/// From the first that holds a flow there are two.
 constexpr std::size_t levels_past_onset = 4;
 constexpr double newton_share = 0.1; ///< of the accuracy that Newton's method may leave
 /// What is left of both iterations in the torque, of the accuracy: an estimate from levels does not
@@ -44,10 +45,8 @@ constexpr double least_share = 0.6;
 constexpr double earlier_share = 0.1;
 /// A thickening fluid's Reynolds number may not fall with the speed.
 constexpr int most_halvings = 40;
-/// Factorisations times unknowns at one speed, some ten seconds: several times what flows that are
-/// found have taken. Far past all onsets no level holds a steady flow, and each would creep on.
-constexpr double most_work = 2e6;
-/// Of it, where the onset of Taylor vortices is left this many times behind.
+/// Share of the work at one speed where the onset of Taylor vortices is left this many times
+/// behind.
 constexpr double share_far_past_onset = 0.1;
 constexpr double far_past_onset = 10.0;
 
@@ -125,8 +124,11 @@ bool SteadySecondaryFlow::solve_steady(FlowLevel& flow, const FlowMaterial& mate
     }
     const long before = flow.system().factorisations();
     const bool solved = flow.solve_steady(material, tolerance, report_);
-    work_left_ -= static_cast<double>(flow.system().factorisations() - before) *
-                  static_cast<double>(flow.space().unknowns());
+    const double done = static_cast<double>(flow.system().factorisations() - before) *
+                        static_cast<double>(flow.space().unknowns()) *
+                        std::pow(flow.space().degree(), 2);
+    work_left_ -= done;
+    work_ += done;
     return solved;
 }
 
@@ -185,9 +187,10 @@ bool SteadySecondaryFlow::reach(std::size_t index, double speed) {
            follow(index, slow, speed);
 }
 
-InertiaFactor SteadySecondaryFlow::at(double speed, const ProgressSink& progress) {
+InertiaFactor SteadySecondaryFlow::at(double speed, const ProgressSink& progress, double work) {
     if (!latest_ || latest_->first != speed) {
         latest_.reset(); // may be left by an exception
+        work_left_ = work;
         const InertiaFactor found = solve_at(speed, progress);
         latest_.emplace(speed, found);
     }
@@ -203,8 +206,12 @@ InertiaFactor SteadySecondaryFlow::solve_at(double speed, const ProgressSink& pr
     const double onsets = fluid_at(speed, smooth_rounding).reynolds() * gap /
                           stability::taylor_threshold(gap).reynolds;
     const bool is_past_onset = onsets > 1.0;
-    work_left_ = onsets > far_past_onset ? share_far_past_onset * most_work : most_work;
-    const std::size_t most_levels = is_past_onset ? levels_past_onset : resolutions.size();
+    if (onsets > far_past_onset) {
+        work_left_ *= share_far_past_onset;
+    }
+    const std::size_t most_levels =
+        is_past_onset ? std::min(resolutions.size(), std::max(levels_past_onset, first_level_ + 2))
+                      : resolutions.size();
     for (std::size_t index = first_level_; index < most_levels && work_left_ > 0.0; ++index) {
         report_ = [&progress, index] {
             if (progress) {

@@ -32,6 +32,11 @@ struct InertiaFactor {
 /// is found whether or not it is stable.
 class SteadySecondaryFlow {
 public:
+    /// Work at one speed, in factorisations times unknowns times degree squared, to which their
+    /// time is proportional: some twenty seconds, several times what flows that are found take.
+    /// Past all onsets no level holds a steady flow, and each would creep on.
+    static constexpr double most_work = 6e7;
+
     /// @param density   kg/m^3, > 0
     /// @param accuracy  asked-for relative error of the torque, > 0
     SteadySecondaryFlow(const geometry::DinBob& bob, const laws::flow::AnyFlowLaw& law,
@@ -39,7 +44,9 @@ public:
 
     /// Best called with rising speeds; the speed of the last call costs nothing.
     /// @param speed  rad/s, > 0. May throw Interrupted.
-    [[nodiscard]] InertiaFactor at(double speed, const ProgressSink& progress = {});
+    /// @param work   after which no further level is begun
+    [[nodiscard]] InertiaFactor at(double speed, const ProgressSink& progress = {},
+                                   double work = most_work);
 
     /// Of the flow that the last call found, at its speed.
     [[nodiscard]] LeadingDisturbance leading_disturbance_at(double speed);
@@ -47,6 +54,7 @@ public:
     /// The flow of the last call on its finest level, or null before the first.
     [[nodiscard]] FlowLevel* finest();
     [[nodiscard]] long factorisations() const;
+    [[nodiscard]] double work() const { return work_; } ///< of all calls, as most_work
 
 private:
     struct Level {
@@ -84,7 +92,8 @@ private:
     std::size_t first_level_{};            ///< the coarsest one that holds the flow
     std::optional<double> speed_of_first_; ///< of the state on it
     std::size_t last_level_{};
-    double work_left_{}; ///< factorisations times unknowns, of the call under way
+    double work_left_{};                                     ///< of the call under way
+    double work_{};                                          ///< of all calls
     std::optional<std::pair<double, InertiaFactor>> latest_; ///< speed and result of the last call
     std::function<void()> report_; ///< of the call under way; may throw Interrupted
 };

@@ -46,6 +46,23 @@ TEST(SteadySecondaryFlow, claimed_errors_hold_a_finer_result) {
     }
 }
 
+/// A plug's edge that crosses the elements (yield stress 0.18 of the wall's stress): undamped,
+/// Newton's method wanders on every second level, and the flow is found on 60 000 unknowns instead
+/// of 6000.
+TEST(SteadySecondaryFlow, plug_is_followed_from_level_to_level) {
+    const geometry::DinBob bob{.bob_radius = 0.02109, .cup_radius = 0.02109 * 1.20011};
+    const flow::HerschelBulkley fluid{7.79e-3, 1.973e-3, 0.979};
+    SteadySecondaryFlow steady(bob, fluid, 1259.1, 1.9e-3);
+    const InertiaFactor found = steady.at(0.702);
+    EXPECT_TRUE(found.reached);
+    EXPECT_GT(found.factor, 1.0);
+    EXPECT_LE(found.unknowns, 10'000);
+    SteadySecondaryFlow fine(bob, fluid, 1259.1, 3e-4);
+    const InertiaFactor best = fine.at(0.702);
+    EXPECT_LE(std::abs(found.factor / best.factor - 1.0),
+              found.relative_error + best.relative_error);
+}
+
 /// Speeds at which the first levels lie close by accident (5 1/s) or cross (near 37 1/s): what is
 /// claimed at each stop on the way holds the finest level's factor.
 TEST(SteadySecondaryFlow, claimed_errors_hold_where_levels_cross) {
