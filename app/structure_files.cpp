@@ -35,6 +35,15 @@ std::string contacts_text(const Microstructure& structure) {
     return text;
 }
 
+std::string local_fractions_text(const Microstructure& structure) {
+    std::string text = "local_volume_fraction,share_of_particles\n";
+    const auto shares = structure.local_fraction_shares();
+    for (std::size_t k = 0; k < shares.size(); ++k)
+        text += fmt::format("{:.4g},{:.6g}\n",
+                            (static_cast<double>(k) + 0.5) / Microstructure::fractions, shares[k]);
+    return text;
+}
+
 } // namespace
 
 std::vector<ResultFile> structure_files(const std::map<std::size_t, Microstructure>& structure,
@@ -50,6 +59,7 @@ std::vector<ResultFile> structure_files(const std::map<std::size_t, Microstructu
         files.push_back({name + "pairs.csv", pairs_text(found->second)});
         files.push_back({name + "profile.csv", profile_text(found->second)});
         files.push_back({name + "contacts.csv", contacts_text(found->second)});
+        files.push_back({name + "local-fractions.csv", local_fractions_text(found->second)});
     }
     return files;
 }

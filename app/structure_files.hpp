@@ -9,8 +9,9 @@
 
 namespace searle::app {
 
-/// The microstructure of a suspension at the wanted rows, three tables each:
-/// fields/row-0001-pairs.csv, -profile.csv and -contacts.csv (docs/suspension.md).
+/// The microstructure of a suspension at the wanted rows, four tables each:
+/// fields/row-0001-pairs.csv, -profile.csv, -contacts.csv and -local-fractions.csv
+/// (docs/suspension.md).
 /// @param structure  by row, from 0
 /// @param finished   rows of the rheogram
 /// @param wanted     for how many rows, evenly spread, the last included

@@ -2,6 +2,7 @@
 
 #include "app/result_folder.hpp"
 #include "rheometry/fields/vtu_text.hpp"
+#include "solvers/particles/local_volumes.hpp"
 
 #include <fmt/format.h>
 
@@ -51,7 +52,7 @@ TrajectoryFolder::TrajectoryFolder(fs::path folder, bool goes_on, bool replace)
 void TrajectoryFolder::write(const solvers::suspension::Frame& frame) {
     const std::size_t index = frame.times.size() - 1;
     try {
-        replace_file(folder_ / frame_name(index), frame_text(frame.particles));
+        replace_file(folder_ / frame_name(index), frame_text(frame.particles, frame.box));
         std::vector<rheometry::fields::TimedFile> list;
         for (std::size_t k = 0; k <= index; ++k)
             if (fs::exists(folder_ / frame_name(k)))
@@ -62,7 +63,8 @@ void TrajectoryFolder::write(const solvers::suspension::Frame& frame) {
     }
 }
 
-std::string frame_text(const solvers::particles::ParticleStore& particles) {
+std::string frame_text(const solvers::particles::ParticleStore& particles,
+                       const solvers::particles::ShearBox& box) {
     const std::size_t count = particles.size();
     std::vector<std::size_t> place(count);
     for (std::size_t i = 0; i < count; ++i)
@@ -97,10 +99,14 @@ std::string frame_text(const solvers::particles::ParticleStore& particles) {
     };
     text += "<PointData>\n";
     counted_from(0, "id");
-    open("Float64", "radius", 1);
-    for (const std::size_t i : place)
-        fmt::format_to(into, "{:.9g}\n", particles.radius[i]);
-    close();
+    const auto scalars = [&](std::string_view name, const auto& values) {
+        open("Float64", name, 1);
+        for (const std::size_t i : place)
+            fmt::format_to(into, "{:.9g}\n", values[i]);
+        close();
+    };
+    scalars("radius", particles.radius);
+    scalars("local_volume", solvers::particles::local_volumes(particles, box));
     vectors("v", particles.vx, particles.vy, particles.vz);
     vectors("omega", particles.wx, particles.wy, particles.wz);
     text += "</PointData>\n<Points>\n";

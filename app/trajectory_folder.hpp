@@ -29,6 +29,7 @@ private:
 
 /// A frame as VTK's XML for points: positions, radius, velocity v, angular velocity omega, id, in
 /// SI units and in the order of the ids.
-[[nodiscard]] std::string frame_text(const solvers::particles::ParticleStore& particles);
+[[nodiscard]] std::string frame_text(const solvers::particles::ParticleStore& particles,
+                                     const solvers::particles::ShearBox& box);
 
 } // namespace searle::app

@@ -80,6 +80,10 @@ const std::vector<SuiteOnly>& suite_only() {
         {"dense suspensions", "LF_DEM's viscosities, within their spread",
          "tests/suspension/overdamped_motion_test.cpp",
          "OverdampedMotion.dense_spheres_have_lf_dems_viscosity"},
+        {"local volumes of particles, sheared and between walls",
+         "points counted to the nearest; lattices exact; their sum the box",
+         "tests/suspension/local_volumes_test.cpp",
+         "LocalVolumes.are_those_of_the_points_that_are_nearest"},
         {"statistical errors", "scatter of correlated means",
          "tests/suspension/correlated_series_test.cpp",
          "CorrelatedSeries.errors_hold_the_truth_down_to_four_correlation_times"}};

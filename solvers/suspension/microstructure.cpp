@@ -1,5 +1,6 @@
 #include "solvers/suspension/microstructure.hpp"
 
+#include "solvers/particles/local_volumes.hpp"
 #include "solvers/particles/neighbour_list.hpp"
 #include "solvers/particles/pair_vector.hpp"
 
@@ -7,12 +8,15 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace searle::solvers::suspension {
 namespace {
 
 using particles::ParticleStore;
 using particles::ShearBox;
+
+constexpr double snapshots_a_local_one = 10.0;
 
 double mean_diameter(const ParticleStore& particles) {
     double sum = 0.0;
@@ -39,6 +43,8 @@ double shell_between_planes(double r, double height) {
 
 void Microstructure::add(const ParticleStore& particles, const ShearBox& box,
                          std::span<const double> fluid_velocity) {
+    if (std::fmod(snapshots_, snapshots_a_local_one) == 0.0)
+        add_local_fractions(particles, box);
     snapshots_ += 1.0;
     particles_ = static_cast<double>(particles.size());
     count_pairs(particles, box);
@@ -123,6 +129,17 @@ void Microstructure::add_slices(const ParticleStore& particles, const ShearBox& 
     }
 }
 
+void Microstructure::add_local_fractions(const ParticleStore& particles, const ShearBox& box) {
+    const std::vector<double> volumes = particles::local_volumes(particles, box);
+    for (std::size_t i = 0; i < volumes.size(); ++i) {
+        const double own = 4.0 / 3.0 * std::numbers::pi * std::pow(particles.radius[i], 3);
+        // A cell that overlapping spheres cover has no volume.
+        const double fraction = own / std::max(volumes[i], own);
+        const auto bin = static_cast<std::size_t>(fraction * static_cast<double>(fractions));
+        local_[std::min(bin, fractions - 1)] += 1.0;
+    }
+}
+
 std::vector<Microstructure::PairBin> Microstructure::pair_distribution() const {
     std::vector<PairBin> found;
     for (std::size_t k = 0; k < bins; ++k) {
@@ -149,6 +166,14 @@ std::vector<Microstructure::Slice> Microstructure::profile() const {
     return found;
 }
 
+std::array<double, Microstructure::fractions> Microstructure::local_fraction_shares() const {
+    std::array<double, fractions> shares = local_;
+    const double all = std::accumulate(local_.begin(), local_.end(), 0.0);
+    for (double& share : shares)
+        share /= all;
+    return shares;
+}
+
 std::array<double, Microstructure::most_contacts + 1> Microstructure::contact_shares() const {
     std::array<double, most_contacts + 1> shares = contacts_;
     for (double& share : shares)
@@ -168,6 +193,8 @@ template <class Self, class Visit>
 void Microstructure::visit(Self& self, Visit visit) {
     for (auto* number : {&self.snapshots_, &self.particles_, &self.reach_})
         visit(*number);
+    for (auto& number : self.local_)
+        visit(number);
     for (auto* column : {&self.pressed_, &self.pulled_, &self.even_})
         for (auto& number : *column)
             visit(number);

@@ -17,12 +17,16 @@ namespace searle::solvers::suspension {
 /// a mean sphere's centre can reach, so that walls do not show as a lack of neighbours. Apart for
 /// pairs that the shear presses together and pulls apart (dx dy < 0 and > 0 at a positive rate).
 ///
+/// Local volume fraction: each sphere's volume over that of its cell (local_volumes.hpp), in every
+/// tenth snapshot: cells change slowly and cost more than all else here.
+///
 /// Profiles: slices of equal height across the box; each sphere counts with the exact volume that
 /// it has in a slice.
 class Microstructure {
 public:
     static constexpr std::size_t slices = 32;
     static constexpr std::size_t most_contacts = 12; ///< more count as so many
+    static constexpr std::size_t fractions = 100;    ///< bins from 0 to 1
     static constexpr double bin_width = 0.02;        ///< over the mean diameter
     static constexpr double furthest = 3.0;          ///< over the mean diameter
 
@@ -53,6 +57,10 @@ public:
     [[nodiscard]] std::array<double, most_contacts + 1> contact_shares() const;
     [[nodiscard]] double contact_number() const;
 
+    /// Share of the particles by their local volume fraction, in equal bins from 0 to 1. Spheres
+    /// that reach out of their cells count as filling them.
+    [[nodiscard]] std::array<double, fractions> local_fraction_shares() const;
+
     /// All sums, for a checkpoint.
     [[nodiscard]] std::vector<double> numbers() const;
     [[nodiscard]] static Microstructure from(std::span<const double> numbers);
@@ -62,6 +70,8 @@ private:
     using Histogram = std::array<double, bins>;
     void count_pairs(particles::ParticleStore particles, particles::ShearBox box);
     void add_slices(const particles::ParticleStore& particles, const particles::ShearBox& box);
+    void add_local_fractions(const particles::ParticleStore& particles,
+                             const particles::ShearBox& box);
 
     template <class Self, class Visit>
     static void visit(Self& self, Visit visit);
@@ -71,6 +81,7 @@ private:
     double reach_{}; ///< distance up to which every pair is known, over the mean diameter
     Histogram pressed_{}, pulled_{}, even_{};
     std::array<double, most_contacts + 1> contacts_{};
+    std::array<double, fractions> local_{};
     std::array<double, slices> volume_{}, flux_{}, fluid_{}; ///< shares of the slice; m/s
 };
 

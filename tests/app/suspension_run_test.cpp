@@ -110,8 +110,8 @@ TEST(SuspensionRun, an_interrupt_in_the_first_minute_loses_nothing_and_doubles_n
         EXPECT_EQ(text_of(folder / "out.trajectory" / name),
                   text_of(folder / "whole.trajectory" / name))
             << name;
-    for (const char* name :
-         {"row-0001-pairs.csv", "row-0001-profile.csv", "row-0001-contacts.csv"}) {
+    for (const char* name : {"row-0001-pairs.csv", "row-0001-profile.csv", "row-0001-contacts.csv",
+                             "row-0001-local-fractions.csv"}) {
         EXPECT_FALSE(text_of(folder / "out/fields" / name).empty()) << name;
         EXPECT_EQ(text_of(folder / "out/fields" / name), text_of(folder / "whole/fields" / name))
             << name;

@@ -133,6 +133,25 @@ TEST(Microstructure, slices_hold_the_whole_volume_and_the_shear) {
     }
 }
 
+/// Radius 0.5 in cubes of 0.999^3 ... and in a lattice stretched to 1.25: pi / 6 over the volume.
+TEST(Microstructure, local_fractions_of_lattices) {
+    for (const double height : {0.999, 1.25}) {
+        const ShearBox box{
+            .length_x = 5 * 0.999, .length_y = 5 * height, .length_z = 5 * 0.999, .walls = false};
+        ParticleStore store;
+        for (int i = 0; i < 5; ++i)
+            for (int j = 0; j < 5; ++j)
+                for (int k = 0; k < 5; ++k)
+                    store.add(0.999 * i, height * j, 0.999 * k, 0.5, 1.0);
+        Microstructure structure;
+        for (int snapshot = 0; snapshot < 12; ++snapshot)
+            structure.add(store, box, {});
+        const double fraction = std::numbers::pi / 6.0 / (0.999 * height * 0.999);
+        EXPECT_DOUBLE_EQ(
+            structure.local_fraction_shares()[static_cast<std::size_t>(100.0 * fraction)], 1.0);
+    }
+}
+
 TEST(Microstructure, comes_back_from_its_numbers) {
     const ShearBox box{.length_x = 9.0, .length_y = 8.0, .length_z = 7.0};
     Microstructure structure;
