@@ -25,10 +25,13 @@ std::string_view name_of(solvers::Model model) {
     return "auto";
 }
 
-double largest_stress_error(const rheometry::Rheogram& rheogram) {
+/// Rows at rest are left out: no accuracy is asked of them.
+double largest_stress_error(const SolvedCase& solved) {
+    const std::vector<rheometry::TorqueRow>& rows = solved.solution.history.rows;
     double largest = 0.0;
-    for (const rheometry::RheogramPoint& point : rheogram.points)
-        largest = std::max(largest, point.stress_error);
+    for (std::size_t k = 0; k < solved.rheogram.points.size(); ++k)
+        if (k >= rows.size() || !rows[k].rests)
+            largest = std::max(largest, solved.rheogram.points[k].stress_error);
     return largest;
 }
 
@@ -41,7 +44,7 @@ SolverNote solver_note(const SolvedCase& solved) {
             .model_reason = solved.plan.model_reason,
             .accuracy_asked = settings.accuracy,
             .worst_relative_error = solution.worst_relative_error,
-            .largest_stress_error = largest_stress_error(solved.rheogram),
+            .largest_stress_error = largest_stress_error(solved),
             .worst_torque_imbalance = solution.worst_torque_imbalance,
             .refinements = solution.refinements,
             .elements = solution.elements,

@@ -17,9 +17,14 @@ constexpr double memory_scale = 6.0 / (std::numbers::pi * std::numbers::pi);
 constexpr double forgotten = 30.0;
 /// Pieces looked at one by one; what is older enters by its total variation, an upper bound.
 constexpr int remembered_pieces = 12;
-/// A share is relative to the row's stress, but never to less than this part of the largest: at
-/// rest there is no other scale.
+/// A share is relative to the row's stress (at rest to the yield stress, between whose two signs
+/// the law leaves the stress open), but never to less than this part of the largest: at rest a
+/// fluid without yield stress has no other scale.
 constexpr double stress_floor = 1e-6;
+
+/// At rest a yield stress holds the fluid unless inertia is more than this part of it: the row's
+/// torque is open then, and no time steps close it.
+constexpr double held_share = 0.1;
 
 /// Changes of speed and acceleration that a row remembers.
 class History {
@@ -117,7 +122,10 @@ std::vector<LagForecast> forecast_lag(const rheometry::SpeedHistory& history, St
                 most += std::abs(memory.torque(time, piece, chamber));
             }
         }
-        const double steady = speed == 0.0 ? 0.0 : here.torque;
+        const double steady = speed == 0.0 ? curve.yield_torque() : here.torque;
+        if (speed == 0.0 && most < held_share * steady) {
+            continue;
+        }
         forecasts[row].share = share(likely, steady, floor);
         forecasts[row].largest = std::max(forecasts[row].share, share(most, steady, floor));
     }

@@ -89,6 +89,17 @@ SteadyCurve::SteadyCurve(const geometry::Instrument& instrument, const Fluid& fl
     }
 }
 
+double SteadyCurve::yield_torque() const {
+    double torque = 0.0;
+    for (const InstrumentGap& gap : gaps_) {
+        const double reach = gap.wall == TurningWall::outer
+                                 ? std::pow(gap.annulus.outer_radius / gap.annulus.inner_radius, 2)
+                                 : 1.0;
+        torque += reach * laws::flow::yield_stress(fluid_.law) * gap.torque_per_stress;
+    }
+    return torque;
+}
+
 SteadyState SteadyCurve::solve(double speed) const {
     SteadyState state;
     state.chambers = chamber_responses(instrument_, fluid_, speed);

@@ -59,6 +59,8 @@ public:
     /// True when no speed but zero was announced.
     [[nodiscard]] bool at_rest_only() const { return !(largest_ > 0.0); }
     [[nodiscard]] double largest_speed() const { return largest_; }
+    /// Below it nothing turns; 0 without a yield stress.
+    [[nodiscard]] double yield_torque() const;
 
 private:
     [[nodiscard]] SteadyState solve(double speed) const;

@@ -15,7 +15,7 @@ double worst_relative_error(std::span<const rheometry::TorqueRow> rows) {
     double worst = 0.0;
     for (const rheometry::TorqueRow& row : rows) {
         const double scale = std::max(std::abs(row.torque), least_share * largest);
-        if (scale > 0.0) {
+        if (scale > 0.0 && !row.rests) {
             worst = std::max(worst, row.torque_error / scale);
         }
     }

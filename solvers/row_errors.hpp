@@ -9,7 +9,8 @@
 namespace searle::solvers {
 
 /// Largest estimated error of the rows' torques, relative to the torque itself or to a thousandth
-/// of the largest one where that is more (a torque may pass through zero); 0 without rows.
+/// of the largest one where that is more (a torque may pass through zero); 0 without rows. Rows at
+/// rest are left out.
 [[nodiscard]] double worst_relative_error(std::span<const rheometry::TorqueRow> rows);
 
 /// Change of each row's torque from one level of resolution to the next, or of a neighbour where

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <optional>
 
 namespace searle::solvers::axisymmetric {
 namespace {
@@ -39,6 +40,34 @@ rheometry::TorqueRow steady_row(const Scene& scene, const RowForecast& forecast,
             .steady_torque = torque,
             .yield_radius = flow.yield_radius,
             .rotor_wall_rate = flow.rotor_wall_rate};
+}
+
+/// Rows of a yield-stress fluid without speed, and without inertia: the torque that the flow before
+/// them stopped with.
+void settle_rows_at_rest(const SectionShape& shape, const Scene& scene,
+                         std::vector<rheometry::TorqueRow>& rows, const ProgressSink& progress) {
+    /// Over the fastest speed: its torque is the yield stress's.
+    constexpr double nearly_at_rest = 1e-6;
+    double fastest = 0.0;
+    for (const rheometry::TorqueRow& row : rows) {
+        fastest = std::max(fastest, std::abs(row.speed));
+    }
+    double sign = 0.0;
+    std::optional<double> yield;
+    for (rheometry::TorqueRow& row : rows) {
+        if (row.speed != 0.0) {
+            sign = std::copysign(1.0, row.speed);
+            continue;
+        }
+        if (fastest > 0.0 && !yield) {
+            yield = creeping_torque(shape, scene.fluid.law, nearly_at_rest * fastest,
+                                    {.accuracy = 1e-2}, progress)
+                        .torque;
+        }
+        row.rests = true;
+        row.torque = sign * yield.value_or(0.0);
+        row.torque_error = std::abs(row.torque) + yield.value_or(0.0);
+    }
 }
 
 /// Adds what inertia may do to rows that were solved without it.
@@ -93,8 +122,15 @@ void follow_swirl(const SectionShape& shape, const Scene& scene,
                   const rheometry::SpeedHistory& history, AxisymmetricReport& report,
                   const ProgressSink& progress) {
     radial::RadialReport& solution = report.solution;
+    std::vector<double> steady;
+    std::vector<double> steady_error;
+    for (const rheometry::TorqueRow& row : solution.history.rows) {
+        steady.push_back(row.torque);
+        steady_error.push_back(row.torque_error);
+    }
     SwirlHistory swirl = swirl_history(
         shape, scene.fluid.law, scene.fluid.density, history, scene.solver.accuracy,
+        {steady, steady_error},
         radial::rows_with_fields(scene.output, solution.history.rows.size()), progress);
     fill_from_run(swirl.torque, swirl.error, report);
     solution.interrupted = swirl.interrupted;
@@ -108,7 +144,9 @@ void follow_swirl(const SectionShape& shape, const Scene& scene,
     if (!swirl.stopped.empty()) {
         solution.notes.push_back("Swirl in time: " + swirl.stopped + ".");
     }
-    radial::note_rest(static_cast<int>(swirl.rows_at_rest), solution);
+    for (std::size_t k = 0; k < solution.history.rows.size(); ++k) {
+        solution.history.rows[k].rests = swirl.rests[k];
+    }
 }
 
 std::string range_text(const std::vector<double>& factors) {
@@ -237,6 +275,9 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
     }
     if (!solution.transient && !solution.interrupted) {
         try {
+            if (laws::flow::yield_stress(scene.fluid.law) > 0.0) {
+                settle_rows_at_rest(shape, scene, rows, progress);
+            }
             solution.fields = steady_fields(
                 shape, scene, rows, radial::rows_with_fields(scene.output, rows.size()), progress);
         } catch (const Interrupted&) {
@@ -247,6 +288,7 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
         add_end_flow(plan, rows);
     }
 
+    radial::note_rest(solution);
     solution.worst_relative_error = worst_relative_error(rows);
     solution.reached = !solution.interrupted && rows.size() == plan.rows.size() &&
                        solution.worst_relative_error <= accuracy;

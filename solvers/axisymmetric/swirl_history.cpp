@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace searle::solvers::axisymmetric {
@@ -40,7 +41,7 @@ constexpr double level_growth = 4.0;
 
 struct Level {
     std::vector<double> torque; ///< scaled
-    double steady{};            ///< scaled, at the fastest speed
+    std::vector<double> steady; ///< scaled, of the steady flow at each row's speed
     bool complete{};
     double stopped_at{};
     long steps{};
@@ -55,7 +56,6 @@ Level run_level(const SectionSpace& space, const SwirlLaw& law,
     SwirlStepper stepper(space, law, settings);
     const double reference = history.fastest_speed();
     Level level;
-    level.steady = stepper.start_steadily(1.0) ? stepper.torque() : 0.0;
     const auto stop = [&] {
         level.stopped_at = stepper.time();
         level.steps = stepper.steps();
@@ -94,7 +94,13 @@ Level run_level(const SectionSpace& space, const SwirlLaw& law,
             if (!has_row) {
                 break;
             }
+            const std::optional<double> steady =
+                stepper.steady_torque(history.speed_at(target) / reference);
+            if (!steady) {
+                return stop();
+            }
             level.torque.push_back(stepper.torque());
+            level.steady.push_back(*steady);
             ++row;
             if (std::binary_search(field_rows.begin(), field_rows.end(), row)) {
                 level.kept.emplace_back(row, stepper.rotation());
@@ -140,40 +146,75 @@ SectionLines halved(const SectionLines& lines) {
     return refined(lines, marks, element_ratio);
 }
 
+/// Of the last motion before a time at which the rotor stands still; 0 before any.
+double sign_of_motion(const rheometry::SpeedHistory& history, double time) {
+    double last = history.initial_speed;
+    for (const auto& piece : history.pieces) {
+        if (piece.start_time < time && piece.start_speed != 0.0) {
+            last = piece.start_speed;
+        }
+        if (piece.end_time < time && piece.end_speed != 0.0) {
+            last = piece.end_speed;
+        }
+    }
+    return last == 0.0 ? 0.0 : std::copysign(1.0, last);
+}
+
 /// Bars from the torques of the level before, empty at the first; the result is what each row has
 /// changed by.
+/// @param known         errors that no level sees, N m
 /// @param yield_torque  of a fluid at rest, N m; 0 without a yield stress
 /// @param tolerance     of the level's steps
 std::vector<double> set_errors(const std::vector<double>& before,
-                               const std::vector<double>& change_before, double correction,
-                               double yield_torque, double tolerance,
+                               const std::vector<double>& change_before,
+                               std::span<const double> known, double yield_torque, double tolerance,
                                const rheometry::SpeedHistory& history, SwirlHistory& result) {
     double largest = 0.0;
     for (const double each : result.torque) {
         largest = std::max(largest, std::abs(each));
     }
+    result.rests.assign(result.torque.size(), false);
+    for (std::size_t k = 0; k < result.torque.size(); ++k) {
+        result.rests[k] = yield_torque > 0.0 && history.speed_at(history.row_times[k]) == 0.0 &&
+                          std::abs(result.torque[k]) <= 1.01 * yield_torque;
+        if (result.rests[k]) {
+            result.torque[k] = sign_of_motion(history, history.row_times[k]) * yield_torque;
+        }
+    }
     std::vector<double> change = level_changes(before, result.torque, history, tolerance);
     result.error.assign(result.torque.size(), largest);
     result.worst_relative_error = before.empty() ? 1.0 : 0.0;
-    result.rows_at_rest = 0;
     for (std::size_t k = 0; k < change.size(); ++k) {
         const double torque = std::abs(result.torque[k]);
-        if (yield_torque > 0.0 && history.speed_at(history.row_times[k]) == 0.0 &&
-            torque <= 1.01 * yield_torque) {
+        if (result.rests[k]) {
             result.error[k] = torque + yield_torque;
-            ++result.rows_at_rest;
             continue;
         }
         // Two levels that agree by accident: a sixth of what they differed by before.
         const bool is_third = k < change_before.size();
         const double earlier = is_third ? change_before[k] / 6.0 : 0.0;
-        result.error[k] = (is_third ? safety : first_safety) * std::max(change[k], earlier) +
-                          std::abs((correction - 1.0) * torque);
+        result.error[k] =
+            (is_third ? safety : first_safety) * std::max(change[k], earlier) + known[k];
         const double against = std::max(torque, least_scale * largest);
         result.worst_relative_error =
             std::max(result.worst_relative_error, against > 0.0 ? result.error[k] / against : 0.0);
     }
     return change;
+}
+
+/// Of the steady torques known to those of a level, at the largest: what the elements at the
+/// rotor's edges miss is alike at all speeds and in time.
+double ratio_of_largest(std::span<const double> known, std::span<const double> level,
+                        double scale) {
+    double largest = 0.0;
+    double ratio = 1.0;
+    for (std::size_t k = 0; k < level.size(); ++k) {
+        if (std::abs(level[k]) > largest) {
+            largest = std::abs(level[k]);
+            ratio = known[k] / (scale * level[k]);
+        }
+    }
+    return ratio;
 }
 
 std::vector<rheometry::fields::SectionFields>
@@ -202,7 +243,8 @@ fields_at_rows(const std::vector<std::pair<std::size_t, Eigen::VectorXd>>& kept,
 
 SwirlHistory swirl_history(const SectionShape& shape, const laws::flow::AnyFlowLaw& law,
                            double density, const rheometry::SpeedHistory& history, double accuracy,
-                           std::span<const std::size_t> field_rows, const ProgressSink& progress) {
+                           const SteadyTorques& steady, std::span<const std::size_t> field_rows,
+                           const ProgressSink& progress) {
     SwirlHistory result;
     const double reference = history.fastest_speed();
     const double wall_rate = shape.wall_rate(law, reference);
@@ -218,14 +260,11 @@ SwirlHistory swirl_history(const SectionShape& shape, const laws::flow::AnyFlowL
     std::vector<double> change_before;
     double work = 0.0;
     try {
-        // What the elements at the rotor's edges miss is alike from level to level; the steady
-        // flow, whose torque is known within bounds, shows it.
-        const double exact =
-            creeping_torque(shape, law, reference, {.accuracy = 0.1 * accuracy}, progress).torque /
-            scale;
         // What a fluid at rest carries: the torque of the slowest flow.
+        const bool stops = std::ranges::any_of(
+            history.row_times, [&](double time) { return history.speed_at(time) == 0.0; });
         const double yield_torque =
-            yields
+            yields && stops
                 ? creeping_torque(shape, law, 1e-6 * reference, {.accuracy = 1e-2}, progress).torque
                 : 0.0;
         for (int number = 0; number < most_levels; ++number) {
@@ -253,12 +292,15 @@ SwirlHistory swirl_history(const SectionShape& shape, const laws::flow::AnyFlowL
             result.unknowns = space.unknowns();
             result.time_steps = level.steps;
             result.division = {lines, degree};
-            const double correction = level.steady > 0.0 ? exact / level.steady : 1.0;
             const std::vector<double> before = std::exchange(result.torque, {});
-            for (const double each : level.torque) {
-                result.torque.push_back(scale * correction * each);
+            const double ratio = ratio_of_largest(steady.torque, level.steady, scale);
+            std::vector<double> known;
+            for (std::size_t k = 0; k < level.torque.size(); ++k) {
+                const double beside = scale * (level.torque[k] - level.steady[k]);
+                result.torque.push_back(steady.torque[k] + ratio * beside);
+                known.push_back(steady.error[k] + std::abs((ratio - 1.0) * beside));
             }
-            change_before = set_errors(before, change_before, correction, yield_torque,
+            change_before = set_errors(before, change_before, known, yield_torque,
                                        settings.tolerance, history, result);
             result.fields =
                 fields_at_rows(level.kept, mesh, shape, law, history, degree, wall_rate);

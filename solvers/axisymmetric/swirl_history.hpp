@@ -20,7 +20,7 @@ struct SwirlHistory {
     double worst_relative_error{};
     bool reached{};
     bool interrupted{};
-    std::size_t rows_at_rest{}; ///< whose torque a yield stress leaves open within the error
+    std::vector<bool> rests; ///< rheometry::TorqueRow::rests
     int levels{};
     int elements{};
     long unknowns{};
@@ -32,15 +32,22 @@ struct SwirlHistory {
     std::vector<rheometry::fields::SectionFields> fields;
 };
 
+/// What the steady flows at the rows' speeds carry, N m, and its error; 0 at rest.
+struct SteadyTorques {
+    std::span<const double> torque;
+    std::span<const double> error;
+};
+
 /// Levels of rising degree, smaller elements at the rotor, smaller steps and a sharper yield
-/// surface until two of them agree to the accuracy (SwirlStepper; docs/axisymmetric.md).
+/// surface until two of them agree to the accuracy (SwirlStepper; docs/axisymmetric.md). A level
+/// gives what a row's torque differs by from the steady one at its speed, both on this level: what
+/// elements and rounding miss is alike in both, and the steady torque is known better.
 /// @param density   kg/m^3, > 0
 /// @param accuracy  relative to each row's torque, or to 1e-3 of the largest where that is more
 /// @param field_rows  numbers from 1, increasing
-[[nodiscard]] SwirlHistory swirl_history(const SectionShape& shape,
-                                         const laws::flow::AnyFlowLaw& law, double density,
-                                         const rheometry::SpeedHistory& history, double accuracy,
-                                         std::span<const std::size_t> field_rows,
-                                         const ProgressSink& progress = {});
+[[nodiscard]] SwirlHistory
+swirl_history(const SectionShape& shape, const laws::flow::AnyFlowLaw& law, double density,
+              const rheometry::SpeedHistory& history, double accuracy, const SteadyTorques& steady,
+              std::span<const std::size_t> field_rows, const ProgressSink& progress = {});
 
 } // namespace searle::solvers::axisymmetric

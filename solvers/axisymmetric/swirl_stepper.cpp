@@ -150,6 +150,26 @@ bool SwirlStepper::step(double limit) {
     }
 }
 
+std::optional<double> SwirlStepper::steady_torque(double speed) {
+    if (speed == 0.0) {
+        return 0.0;
+    }
+    const SwirlLaw::RoundedPotential density(law_, settings_.rounding);
+    Eigen::VectorXd values = rotation_;
+    turn_rotor(speed, values);
+    const Minimised found =
+        minimiser_.minimise(density, no_load_, steady_decrement, most_steady_steps, values);
+    solves_ += found.steps;
+    if (!found.converged) {
+        values.setZero();
+        turn_rotor(speed, values);
+        if (!approach(steady_decrement, most_steady_steps, nullptr, values)) {
+            return {};
+        }
+    }
+    return minimiser_.work_along(density, values, rotor_);
+}
+
 double SwirlStepper::torque() {
     const SwirlLaw::RoundedPotential density(law_, settings_.rounding);
     return minimiser_.work_along(density, rotation_, rotor_) +

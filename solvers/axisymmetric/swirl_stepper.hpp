@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <optional>
 
 namespace searle::solvers::axisymmetric {
 
@@ -46,6 +47,9 @@ public:
     [[nodiscard]] double time() const { return time_; }
     /// Over 2 pi length^3 stress scale, at the present time.
     [[nodiscard]] double torque();
+    /// Of the steady flow at a speed, found from the present flow, which stays; nothing where it is
+    /// not found.
+    [[nodiscard]] std::optional<double> steady_torque(double speed);
     [[nodiscard]] const Eigen::VectorXd& rotation() const { return rotation_; }
     [[nodiscard]] long steps() const { return steps_; }
     [[nodiscard]] long solves() const { return solves_; }

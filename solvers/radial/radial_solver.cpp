@@ -50,23 +50,19 @@ RadialReport without_inertia(const Scene& scene, const Plan& plan, double factor
     const double yield = factor * yield_torque_of(scene);
     double last_sign = 0.0;
     double last_torque = 0.0;
-    int rows_at_rest = 0;
     try {
         for (std::size_t k = 0; k < rows; ++k) {
             rheometry::TorqueRow row = steady_row(scene, factor, plan.rows[k].time, speed_at(k));
-            const bool at_rest = row.speed == 0.0 && yield > 0.0;
-            if (at_rest) {
-                // The torque with which the flow stopped; the law leaves it open between the yield
-                // torques.
+            row.rests = row.speed == 0.0 && yield > 0.0;
+            if (row.rests) {
                 row.torque = last_sign * yield;
                 row.torque_error = std::abs(row.torque) + yield;
-                ++rows_at_rest;
             } else if (inertia_skipped) {
                 row.torque_error += inertia_margin * plan.rows[k].lag_share *
                                     std::max(std::abs(row.torque), std::abs(last_torque));
             }
             const double scale = std::max(std::abs(row.torque), 1e-3 * std::abs(last_torque));
-            if (!at_rest && scale > 0.0) {
+            if (!row.rests && scale > 0.0) {
                 report.worst_relative_error =
                     std::max(report.worst_relative_error, row.torque_error / scale);
             }
@@ -83,7 +79,7 @@ RadialReport without_inertia(const Scene& scene, const Plan& plan, double factor
         report.interrupted = true;
     }
     report.reached = report.worst_relative_error <= scene.solver.accuracy;
-    note_rest(rows_at_rest, report);
+    note_rest(report);
     return report;
 }
 
@@ -95,7 +91,6 @@ RadialReport with_inertia(const Scene& scene, double factor, const rheometry::Sp
     RadialReport report;
     report.transient = true;
     report.reached = solved.reached;
-    note_rest(solved.rows_at_rest, report);
     report.interrupted = solved.interrupted;
     report.worst_relative_error = solved.worst_relative_error;
     report.worst_torque_imbalance = solved.momentum_defect;
@@ -110,8 +105,10 @@ RadialReport with_inertia(const Scene& scene, double factor, const rheometry::Sp
         rheometry::TorqueRow row = steady_row(scene, factor, time, history.speed_at(time));
         row.torque = factor * solved.torque[k];
         row.torque_error = factor * solved.error[k];
+        row.rests = k < solved.rests.size() && solved.rests[k];
         report.history.rows.push_back(row);
     }
+    note_rest(report);
     return report;
 }
 
@@ -136,7 +133,8 @@ RadialReport rows_of(const Scene& scene, const Plan& plan, const ProgressSink& p
 
 } // namespace
 
-void note_rest(int rows, RadialReport& report) {
+void note_rest(RadialReport& report) {
+    const auto rows = std::ranges::count_if(report.history.rows, &rheometry::TorqueRow::rests);
     if (rows > 0) {
         report.notes.push_back(
             "At rest the yield stress holds the fluid, and its flow law leaves the "

@@ -31,9 +31,8 @@ struct RadialReport {
     std::vector<rheometry::fields::SectionFields> fields;
 };
 
-/// Says that so many rows stand at rest with a yield stress, if any: their bars cover all torques
-/// that it can hold.
-void note_rest(int rows, RadialReport& report);
+/// Says how many rows rest (rheometry::TorqueRow), if any.
+void note_rest(RadialReport& report);
 
 /// The rows whose fields a case asks for, numbers from 1: none unless output.fields.
 /// @param finished  rows there are

@@ -283,10 +283,14 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
 
     const std::vector<double> steady = steady_torque(gaps, law, history);
     const double yield = yield_torque(gaps, law);
-    // The first two levels share their steps: where a stop is singular in time two halvings are
-    // needed to see it.
-    const bool stops = std::ranges::any_of(
-        history.row_times, [&](double time) { return history.speed_at(time) == 0.0; });
+    // The first two levels share their steps: where a stop, or a turn into the other direction, is
+    // singular in time two halvings are needed to see it.
+    const bool stops =
+        std::ranges::any_of(history.row_times,
+                            [&](double time) { return history.speed_at(time) == 0.0; }) ||
+        std::ranges::any_of(history.pieces, [](const auto& piece) {
+            return piece.start_speed * piece.end_speed < 0.0;
+        });
     const int first_judged = stops && !newtonian ? 3 : 2;
     const int steps_per_row = newtonian ? 1 : steps_for_events(history);
     TransientTorque result;
@@ -328,7 +332,7 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
         if (level > 0) {
             const std::vector<double> scale = torque_scale(result.torque, steady);
             std::vector<double> difference = differences(result.torque, coarse, scale, smooth);
-            const std::vector<bool> rest = rows_at_rest(result.torque, yield, history);
+            result.rests = rows_at_rest(result.torque, yield, history);
             // Once the step tolerance has reached its floor two levels share their time error; and
             // each solve is ended at a share of the step tolerance.
             const double least_bar =
@@ -336,11 +340,9 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
                          tolerance > smallest_tolerance ? 1e-12 : 5.0 * smallest_tolerance);
             result.worst_relative_error = 0.0;
             double worst_rounding = 0.0;
-            result.rows_at_rest = 0;
             for (std::size_t k = 0; k < scale.size(); ++k) {
-                if (rest[k]) {
+                if (result.rests[k]) {
                     result.error[k] = std::abs(result.torque[k]) + yield;
-                    ++result.rows_at_rest;
                     continue;
                 }
                 const double before = k < earlier.size() ? earlier_share * earlier[k] : 0.0;

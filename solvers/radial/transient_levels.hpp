@@ -18,9 +18,7 @@ struct TransientTorque {
     bool interrupted{};
     double worst_relative_error{}; ///< largest error over the row's scale, see `torque_scale`
     double momentum_defect{};      ///< see GapRun
-    /// Rows at which the drive stands still and a yield stress holds all of the fluid: the law
-    /// leaves the torque open there, the bar covers all it allows, and `reached` leaves them out.
-    int rows_at_rest{};
+    std::vector<bool> rests; ///< rheometry::TorqueRow::rests; may be shorter than `torque`
     int levels{};
     int elements{};
     long steps{};

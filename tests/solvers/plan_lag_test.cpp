@@ -122,6 +122,24 @@ TEST(LagForecast, a_stop_leaves_only_inertia) {
     EXPECT_GT(forecast_of(narrow_gap, water, history).front().share, 0.999);
 }
 
+// A yield stress holds a fluid that was slowed down gently: its torque is open, whatever the time
+// steps. After an abrupt stop it still turns.
+TEST(LagForecast, a_yield_stress_holds_what_stops_gently) {
+    const Fluid slurry{laws::flow::HerschelBulkley{5.0, 0.5, 0.5}, 1200.0};
+    for (const bool gently : {true, false}) {
+        SpeedHistory history;
+        history.initial_speed = 5.0;
+        history.pieces = {{.start_time = 0.0,
+                           .end_time = 30.0,
+                           .start_speed = 5.0,
+                           .end_speed = gently ? 0.0 : 5.0},
+                          {.start_time = 30.0, .end_time = 31.0}};
+        history.row_times = {30.0, 30.0 + 1e-5};
+        const std::vector<LagForecast> found = forecast_of(narrow_gap, slurry, history);
+        EXPECT_EQ(found.back().largest == 0.0, gently);
+    }
+}
+
 // Origin: the same Fourier series: 2 sum exp(-n^2 pi^2 nu t / h^2) must be the accuracy at that
 // time.
 TEST(SettlingTime, residual_of_a_plane_gap_is_the_accuracy) {
