@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using solvers::suspension::Checkpoint;
 
-constexpr int format = 4;
+constexpr int format = 5;
 constexpr const char* checksum_column = "checksum";
 
 std::string identity(const std::string& case_hash) {

@@ -16,8 +16,8 @@ struct TorqueRow {
     double torque{};       ///< N m (N for the box)
     double torque_error{}; ///< estimate of the numerical error of `torque`, same unit, >= 0
     /// The rotor stands still and a yield stress holds the fluid: the law leaves the torque open
-    /// between the yield torques. `torque` is the one that the flow stopped with, `torque_error`
-    /// covers all of them, and no accuracy is asked of the row.
+    /// between the yield torques. `torque` is one of them (of a slow ramp down the one that it ends
+    /// with), `torque_error` covers all, and no accuracy is asked of the row.
     bool rests{};
     /// Inertia-free torque at this speed, for the regime and the report.
     double steady_torque{};

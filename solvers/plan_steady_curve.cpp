@@ -92,10 +92,7 @@ SteadyCurve::SteadyCurve(const geometry::Instrument& instrument, const Fluid& fl
 double SteadyCurve::yield_torque() const {
     double torque = 0.0;
     for (const InstrumentGap& gap : gaps_) {
-        const double reach = gap.wall == TurningWall::outer
-                                 ? std::pow(gap.annulus.outer_radius / gap.annulus.inner_radius, 2)
-                                 : 1.0;
-        torque += reach * laws::flow::yield_stress(fluid_.law) * gap.torque_per_stress;
+        torque += laws::flow::yield_stress(fluid_.law) * gap.torque_per_stress;
     }
     return torque;
 }

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <optional>
 
 namespace searle::solvers::axisymmetric {
 namespace {
@@ -42,31 +41,23 @@ rheometry::TorqueRow steady_row(const Scene& scene, const RowForecast& forecast,
             .rotor_wall_rate = flow.rotor_wall_rate};
 }
 
-/// Rows of a yield-stress fluid without speed, and without inertia: the torque that the flow before
-/// them stopped with.
-void settle_rows_at_rest(const SectionShape& shape, const Scene& scene,
+/// Rows of a yield-stress fluid without speed, and without inertia: the torque that the motion
+/// before them stopped with. Nothing is changed when `progress` throws.
+/// @param sign  of the motion before the first row, 0: none
+void settle_rows_at_rest(const SectionShape& shape, const Scene& scene, double sign,
                          std::vector<rheometry::TorqueRow>& rows, const ProgressSink& progress) {
-    /// Over the fastest speed: its torque is the yield stress's.
-    constexpr double nearly_at_rest = 1e-6;
-    double fastest = 0.0;
-    for (const rheometry::TorqueRow& row : rows) {
-        fastest = std::max(fastest, std::abs(row.speed));
+    if (std::ranges::none_of(rows, [](const auto& row) { return row.speed == 0.0; })) {
+        return;
     }
-    double sign = 0.0;
-    std::optional<double> yield;
+    const double yield = stopping_torque(shape, scene.fluid.law, progress);
     for (rheometry::TorqueRow& row : rows) {
         if (row.speed != 0.0) {
             sign = std::copysign(1.0, row.speed);
             continue;
         }
-        if (fastest > 0.0 && !yield) {
-            yield = creeping_torque(shape, scene.fluid.law, nearly_at_rest * fastest,
-                                    {.accuracy = 1e-2}, progress)
-                        .torque;
-        }
         row.rests = true;
-        row.torque = sign * yield.value_or(0.0);
-        row.torque_error = std::abs(row.torque) + yield.value_or(0.0);
+        row.torque = sign * yield;
+        row.torque_error = std::abs(row.torque) + yield;
     }
 }
 
@@ -276,11 +267,20 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
     if (!solution.transient && !solution.interrupted) {
         try {
             if (laws::flow::yield_stress(scene.fluid.law) > 0.0) {
-                settle_rows_at_rest(shape, scene, rows, progress);
+                const auto* history = std::get_if<rheometry::SpeedHistory>(&schedule);
+                const double before = history != nullptr ? history->initial_speed : 0.0;
+                settle_rows_at_rest(shape, scene, before == 0.0 ? 0.0 : std::copysign(1.0, before),
+                                    rows, progress);
             }
             solution.fields = steady_fields(
                 shape, scene, rows, radial::rows_with_fields(scene.output, rows.size()), progress);
         } catch (const Interrupted&) {
+            const auto unsettled = std::ranges::find_if(
+                rows, [](const auto& row) { return row.speed == 0.0 && !row.rests; });
+            if (laws::flow::yield_stress(scene.fluid.law) > 0.0) {
+                rows.erase(unsettled, rows.end());
+                report.end_factor.resize(rows.size());
+            }
             solution.interrupted = true;
         }
     }

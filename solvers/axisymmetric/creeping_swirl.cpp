@@ -149,4 +149,14 @@ CreepingSwirl creeping_swirl(const SectionShape& shape, const laws::flow::AnyFlo
     return {.torque = result, .level = std::move(level), .stress_scale = law.stress_scale()};
 }
 
+double stopping_torque(const SectionShape& shape, const laws::flow::AnyFlowLaw& law,
+                       const ProgressSink& progress) {
+    constexpr double above = 1.01;
+    constexpr double accuracy = 1e-2;
+    const double rate = laws::flow::rate(law, above * laws::flow::yield_stress(law));
+    return creeping_torque(shape, law, rate * shape.gap() / shape.unit(), {.accuracy = accuracy},
+                           progress)
+        .torque;
+}
+
 } // namespace searle::solvers::axisymmetric

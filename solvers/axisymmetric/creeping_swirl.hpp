@@ -64,4 +64,9 @@ struct CreepingSwirl {
                                            const CreepingSettings& settings,
                                            const ProgressSink& progress = {});
 
+/// What a yield-stress fluid at rest holds at the most, N m, to some per cent: the torque of a flow
+/// whose stress at the rotor is a hundredth above the yield stress. May throw Interrupted.
+[[nodiscard]] double stopping_torque(const SectionShape& shape, const laws::flow::AnyFlowLaw& law,
+                                     const ProgressSink& progress = {});
+
 } // namespace searle::solvers::axisymmetric

@@ -178,7 +178,14 @@ std::vector<double> set_errors(const std::vector<double>& before,
         result.rests[k] = yield_torque > 0.0 && history.speed_at(history.row_times[k]) == 0.0 &&
                           std::abs(result.torque[k]) <= 1.01 * yield_torque;
         if (result.rests[k]) {
-            result.torque[k] = sign_of_motion(history, history.row_times[k]) * yield_torque;
+            const bool stood = k > 0 && history.speed_at(history.row_times[k - 1]) == 0.0;
+            // The fluid may have turned on after an abrupt stop, and dragged the rotor.
+            const double sign = std::abs(result.torque[k]) > 0.5 * yield_torque || !stood
+                                    ? result.torque[k]
+                                    : result.torque[k - 1];
+            result.torque[k] = std::abs(sign) > 0.5 * yield_torque
+                                   ? std::copysign(yield_torque, sign)
+                                   : sign_of_motion(history, history.row_times[k]) * yield_torque;
         }
     }
     std::vector<double> change = level_changes(before, result.torque, history, tolerance);
@@ -187,7 +194,6 @@ std::vector<double> set_errors(const std::vector<double>& before,
     for (std::size_t k = 0; k < change.size(); ++k) {
         const double torque = std::abs(result.torque[k]);
         if (result.rests[k]) {
-            result.error[k] = torque + yield_torque;
             continue;
         }
         // Two levels that agree by accident: a sixth of what they differed by before.
@@ -198,6 +204,11 @@ std::vector<double> set_errors(const std::vector<double>& before,
         const double against = std::max(torque, least_scale * largest);
         result.worst_relative_error =
             std::max(result.worst_relative_error, against > 0.0 ? result.error[k] / against : 0.0);
+    }
+    for (std::size_t k = 0; k < result.torque.size(); ++k) {
+        if (result.rests[k]) {
+            result.error[k] = std::abs(result.torque[k]) + yield_torque;
+        }
     }
     return change;
 }
@@ -263,10 +274,7 @@ SwirlHistory swirl_history(const SectionShape& shape, const laws::flow::AnyFlowL
         // What a fluid at rest carries: the torque of the slowest flow.
         const bool stops = std::ranges::any_of(
             history.row_times, [&](double time) { return history.speed_at(time) == 0.0; });
-        const double yield_torque =
-            yields && stops
-                ? creeping_torque(shape, law, 1e-6 * reference, {.accuracy = 1e-2}, progress).torque
-                : 0.0;
+        const double yield_torque = yields && stops ? stopping_torque(shape, law, progress) : 0.0;
         for (int number = 0; number < most_levels; ++number) {
             if (number > 1 && level_growth * work > most_work) {
                 break;
@@ -294,6 +302,7 @@ SwirlHistory swirl_history(const SectionShape& shape, const laws::flow::AnyFlowL
             result.division = {lines, degree};
             const std::vector<double> before = std::exchange(result.torque, {});
             const double ratio = ratio_of_largest(steady.torque, level.steady, scale);
+            result.steady_defect = std::abs(ratio - 1.0);
             std::vector<double> known;
             for (std::size_t k = 0; k < level.torque.size(); ++k) {
                 const double beside = scale * (level.torque[k] - level.steady[k]);

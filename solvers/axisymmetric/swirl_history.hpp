@@ -21,6 +21,7 @@ struct SwirlHistory {
     bool reached{};
     bool interrupted{};
     std::vector<bool> rests; ///< rheometry::TorqueRow::rests
+    double steady_defect{};  ///< of the last level's largest steady torque, over the known one
     int levels{};
     int elements{};
     long unknowns{};

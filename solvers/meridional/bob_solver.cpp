@@ -106,15 +106,16 @@ void note_stability(const Plan& plan, InertiaFactorCurve& curve, radial::RadialR
 }
 
 /// Replaces the fields of steady rows by those with the secondary flow.
-void add_secondary_fields(const Scene& scene, SteadySecondaryFlow& flow, AxisymmetricReport& report,
+void add_secondary_fields(const Scene& scene, InertiaFactorCurve& curve, AxisymmetricReport& report,
                           const ProgressSink& progress) {
     const geometry::DinBob bob = bob_of(scene);
     for (rheometry::fields::SectionFields& section : report.solution.fields) {
         const double speed = std::abs(section.speed);
-        if (speed == 0.0 || flow.at(speed, progress).levels == 0) {
+        const FlowLevel* const found = speed == 0.0 ? nullptr : curve.flow_at(speed, progress);
+        if (found == nullptr) {
             continue;
         }
-        const FlowLevel& level = *flow.finest();
+        const FlowLevel& level = *found;
         const Eigen::MatrixX3d& velocity = level.state().velocity;
         const Eigen::VectorXd u = velocity.col(static_cast<Eigen::Index>(Component::radial));
         const Eigen::VectorXd w = velocity.col(static_cast<Eigen::Index>(Component::axial));
@@ -189,7 +190,7 @@ void apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& rep
     }
     if (!report.solution.fields.empty() && !report.solution.transient) {
         try {
-            add_secondary_fields(scene, curve.flow(), report, progress);
+            add_secondary_fields(scene, curve, report, progress);
         } catch (const Interrupted&) {
             report.solution.fields.clear();
             report.solution.interrupted = true;

@@ -127,6 +127,11 @@ bool FlowLevel::solve_steady(const FlowMaterial& material, double tolerance,
         if (!(size_of(change) < largest_step)) {
             break;
         }
+        const double left = left_share * tolerance;
+        if (size_of(change) <= left) {
+            add(state_, change, 1.0);
+            return true;
+        }
         // Deuflhard's natural test (Newton Methods for Nonlinear Problems, 2004, section 3.3): the
         // next change by the same factors has to be smaller, whatever the equations' scaling.
         FlowState next;
@@ -155,7 +160,6 @@ bool FlowLevel::solve_steady(const FlowMaterial& material, double tolerance,
         for (;;) {
             const double before = size_of(change);
             const double size = size_of(next);
-            const double left = left_share * tolerance;
             if (!(size < kept_contraction * before || size <= left)) {
                 break;
             }

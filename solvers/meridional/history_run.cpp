@@ -12,6 +12,10 @@ constexpr double first_share = 1e-4;
 constexpr double shortest_share = 1e-9;
 /// Velocities below this share of the rotor's at the next row need no accuracy of their own.
 constexpr double least_scale_share = 0.1;
+/// Rows after a kink or jump that a step ends at: there the torque goes as the root of time, which
+/// the polynomial within a step misses by the same on every level. Not with an uneven rotor: what
+/// grows into vortices feels every change of the steps, and its levels part.
+constexpr int rows_met_around_bob = 8;
 /// Linear solves that a factorisation takes as long as, about.
 constexpr double factorisation_work = 30.0;
 constexpr double most_level_work = 6e7;
@@ -42,6 +46,7 @@ HistoryRun run_history(FlowLevel& level, const ScaledFluid& fluid, double refere
                          .shortest_step = shortest_share * duration * reference_speed,
                          .rotor_profile = rotor_profile,
                          .at_each_try = at_each_try});
+    const int rows_met = rotor_profile.size() == 0 ? rows_met_around_bob : 0;
     std::size_t row = 0;
     for (const auto& piece : history.pieces) {
         const double length = piece.end_time - piece.start_time;
@@ -50,10 +55,15 @@ HistoryRun run_history(FlowLevel& level, const ScaledFluid& fluid, double refere
                        .acceleration = (piece.end_speed - piece.start_speed) / length /
                                        (reference_speed * reference_speed)});
         const double end = piece.end_time * reference_speed;
+        int rows_of_piece = 0;
         while (stepper.time() < end) {
             const double next_speed =
                 row < rows.size() ? std::abs(history.speed_at(rows[row])) / reference_speed : 0.0;
-            const bool taken = stepper.step(end, least_scale_share * next_speed);
+            const double next_row = row < rows.size() && rows_of_piece < rows_met
+                                        ? std::min(end, rows[row] * reference_speed)
+                                        : end;
+            const bool taken = stepper.step(next_row > stepper.time() ? next_row : end,
+                                            least_scale_share * next_speed);
             run.steps = stepper.steps();
             run.solves = stepper.solves();
             run.end_time = stepper.time() / reference_speed;
@@ -69,6 +79,7 @@ HistoryRun run_history(FlowLevel& level, const ScaledFluid& fluid, double refere
             while (row < rows.size() && rows[row] * reference_speed <= stepper.time()) {
                 run.torque.push_back(stepper.torque_at(rows[row] * reference_speed));
                 ++row;
+                ++rows_of_piece;
             }
             fraction = run.end_time / duration;
         }

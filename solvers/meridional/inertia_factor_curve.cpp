@@ -91,17 +91,24 @@ void InertiaFactorCurve::solve_all(std::span<const double> speeds, double accura
     }
 }
 
-void InertiaFactorCurve::solve(double speed, const ProgressSink& progress) {
+InertiaFactor InertiaFactorCurve::solve_within_bounds(double speed, const ProgressSink& progress) {
     const double share = flow_.work() > most_work_at_ease ? share_after : 1.0;
-    const InertiaFactor found = flow_.at(speed, progress, share * SteadySecondaryFlow::most_work);
+    return flow_.at(speed, progress, share * SteadySecondaryFlow::most_work);
+}
+
+FlowLevel* InertiaFactorCurve::flow_at(double speed, const ProgressSink& progress) {
+    return solve_within_bounds(speed, progress).levels > 0 ? flow_.finest() : nullptr;
+}
+
+void InertiaFactorCurve::solve(double speed, const ProgressSink& progress) {
+    const InertiaFactor found = solve_within_bounds(speed, progress);
     levels_ = std::max(levels_, found.levels);
     unknowns_ = std::max(unknowns_, found.unknowns);
     solved_[speed] = found;
 }
 
 std::optional<std::complex<double>> InertiaFactorCurve::disturbance_rate(double speed) {
-    const InertiaFactor found = flow_.at(speed);
-    if (found.levels == 0) {
+    if (flow_at(speed, {}) == nullptr) {
         return {};
     }
     const LeadingDisturbance leading = flow_.leading_disturbance_at(speed);

@@ -36,8 +36,8 @@ public:
     [[nodiscard]] long factorisations() const { return flow_.factorisations(); }
     /// Of the flow solved for last, on its finest level; without lines when there was none.
     [[nodiscard]] axisymmetric::SectionDivision division();
-    /// The flows behind the curve, for one more speed or for the velocities at one.
-    [[nodiscard]] SteadySecondaryFlow& flow() { return flow_; }
+    /// The velocities at a speed, > 0, or null where no flow is found. May throw Interrupted.
+    [[nodiscard]] FlowLevel* flow_at(double speed, const ProgressSink& progress);
     /// Growth of the leading axisymmetric disturbance of the steady flow at a speed, 1/s (real
     /// part) and rad/s (imaginary part); nothing where it cannot be told. Solves for the flow
     /// again.
@@ -46,6 +46,7 @@ public:
 private:
     void solve_all(std::span<const double> speeds, double accuracy, const ProgressSink& progress);
     void solve(double speed, const ProgressSink& progress);
+    [[nodiscard]] InertiaFactor solve_within_bounds(double speed, const ProgressSink& progress);
     [[nodiscard]] double interpolated(double speed) const;
 
     SteadySecondaryFlow flow_;

@@ -209,10 +209,12 @@ InertiaFactor SteadySecondaryFlow::solve_at(double speed, const ProgressSink& pr
     if (onsets > far_past_onset) {
         work_left_ *= share_far_past_onset;
     }
-    const std::size_t most_levels =
-        is_past_onset ? std::min(resolutions.size(), std::max(levels_past_onset, first_level_ + 2))
-                      : resolutions.size();
-    for (std::size_t index = first_level_; index < most_levels && work_left_ > 0.0; ++index) {
+    const auto most_levels = [&] {
+        return is_past_onset
+                   ? std::min(resolutions.size(), std::max(levels_past_onset, first_level_ + 2))
+                   : resolutions.size();
+    };
+    for (std::size_t index = first_level_; index < most_levels() && work_left_ > 0.0; ++index) {
         report_ = [&progress, index] {
             if (progress) {
                 progress(static_cast<double>(index) / resolutions.size(),

@@ -170,6 +170,21 @@ std::vector<bool> rows_at_rest(std::span<const double> torque, double yield,
     return rest;
 }
 
+/// Whether a row stands still, or the speed changes its sign, gradually or by a jump.
+bool stops_or_turns(const rheometry::SpeedHistory& history) {
+    double last = history.initial_speed;
+    for (const auto& piece : history.pieces) {
+        for (const double speed : {piece.start_speed, piece.end_speed}) {
+            if (speed * last < 0.0) {
+                return true;
+            }
+            last = speed != 0.0 ? speed : last;
+        }
+    }
+    return std::ranges::any_of(history.row_times,
+                               [&](double time) { return history.speed_at(time) == 0.0; });
+}
+
 /// Steps from row to row with which each piece of the history gets its share of them. Where a fluid
 /// yields, stops or turns, the stress changes within a part of a piece, which steps as long as the
 /// piece see on no level.
@@ -285,13 +300,7 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
     const double yield = yield_torque(gaps, law);
     // The first two levels share their steps: where a stop, or a turn into the other direction, is
     // singular in time two halvings are needed to see it.
-    const bool stops =
-        std::ranges::any_of(history.row_times,
-                            [&](double time) { return history.speed_at(time) == 0.0; }) ||
-        std::ranges::any_of(history.pieces, [](const auto& piece) {
-            return piece.start_speed * piece.end_speed < 0.0;
-        });
-    const int first_judged = stops && !newtonian ? 3 : 2;
+    const int first_judged = stops_or_turns(history) && !newtonian ? 3 : 2;
     const int steps_per_row = newtonian ? 1 : steps_for_events(history);
     TransientTorque result;
     std::vector<double> coarse;
@@ -357,8 +366,19 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
             earlier = std::move(difference);
             result.reached = level >= first_judged && result.worst_relative_error <= accuracy;
             // Finer grids only add rounding once it is the larger part of the bar.
-            const bool rounded = level > 1 && worst_rounding > 0.3 * result.worst_relative_error;
-            if (result.reached || rounded || elements > most_elements / 2 || expected > allowed) {
+            const bool rounded =
+                level >= first_judged && worst_rounding > 0.3 * result.worst_relative_error;
+            const bool is_last =
+                result.reached || rounded || elements > most_elements / 2 || expected > allowed;
+            if (is_last && level < first_judged) {
+                // Too few levels to judge by: twice the doubt.
+                for (std::size_t k = 0; k < scale.size(); ++k) {
+                    result.error[k] *= result.rests[k] ? 1.0 : 2.0;
+                }
+                result.worst_relative_error *= 2.0;
+                result.reached = result.worst_relative_error <= accuracy;
+            }
+            if (is_last) {
                 break;
             }
         } else {

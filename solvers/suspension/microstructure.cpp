@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <stdexcept>
 
 namespace searle::solvers::suspension {
 namespace {
@@ -213,6 +214,8 @@ std::vector<double> Microstructure::numbers() const {
 
 Microstructure Microstructure::from(std::span<const double> numbers) {
     Microstructure restored;
+    if (numbers.size() != restored.numbers().size())
+        throw std::invalid_argument("these are not the numbers of a microstructure");
     std::size_t next = 0;
     visit(restored, [&](double& number) {
         number = next < numbers.size() ? numbers[next] : 0.0;

@@ -123,6 +123,16 @@ double excess(FlowLevel& level, double reynolds) {
     return level.steady_torque(fluid.material()) / creeping - 1.0;
 }
 
+/// From the solution itself, where a change is rounding alone and no smaller one follows.
+TEST(FlowLevel, steady_flow_is_found_from_itself) {
+    FlowLevel level(iso_bob, {.degree = 5, .smallest = 5e-2, .largest = 0.5, .beside = 4.0});
+    const double first = excess(level, 8.0);
+    const ScaledFluid fluid(flow::Newtonian{1.0}, 8.0, 1.0, 1.0, 1.0, 1e-5);
+    EXPECT_TRUE(level.solve_steady(fluid.material(), 1e-12));
+    EXPECT_TRUE(level.solve_steady(fluid.material(), 1e-10));
+    EXPECT_NEAR(excess(level, 8.0), first, 1e-9);
+}
+
 /// Reversing the rotation changes nothing but signs, so the torque's first correction is Re^2.
 TEST(FlowLevel, first_correction_of_the_torque_goes_with_the_square_of_the_speed) {
     FlowLevel level(iso_bob, {.degree = 5, .smallest = 5e-2, .largest = 0.5, .beside = 4.0});

@@ -25,7 +25,10 @@ ParticleStore jittered(const ShearBox& box, int across) {
                     return spacing * (n + 0.3 + 0.4 * uniform(9, draw++));
                 };
                 // Out of the box by a period, as between two sortings of the particles.
-                store.add(at(i) + (i == 0 ? box.length_x : 0.0), at(j), at(k),
+                const double x = at(i) + (i == 0 ? box.length_x : 0.0);
+                const bool above = !box.walls && j == 1;
+                store.add(x + (above ? box.image_offset : 0.0),
+                          at(j) + (above ? box.length_y : 0.0), at(k),
                           spacing * (draw % 2 == 0 ? 0.3 : 0.15), 1.0);
             }
     return store;
@@ -35,7 +38,8 @@ ParticleStore jittered(const ShearBox& box, int across) {
 double power_distance(const ParticleStore& store, const ShearBox& box, std::size_t i, double x,
                       double y, double z) {
     double least = std::numeric_limits<double>::infinity();
-    for (int j = -1; j <= 1; ++j) {
+    const int layers = box.walls ? 1 : 2;
+    for (int j = -layers; j <= layers; ++j) {
         const double at_y = box.walls ? (j == 0 ? store.y[i] : (j + 1) * box.length_y - store.y[i])
                                       : store.y[i] + j * box.length_y;
         const double shift = box.walls ? 0.0 : j * box.image_offset;
