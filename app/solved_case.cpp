@@ -206,6 +206,10 @@ std::vector<std::string> warnings_of(const SolvedCase& solved) {
     else if (solved.solution.interrupted)
         warnings.push_back(fmt::format("Interrupted: {} of {} points were finished.",
                                        solved.rheogram.points.size(), solved.plan.rows.size()));
+    else if (!solved.solution.reached && !has_all_points &&
+             solved.solution.worst_relative_error <= solved.source.scene.solver.accuracy)
+        warnings.push_back(fmt::format("Only {} of {} points were finished.",
+                                       solved.rheogram.points.size(), solved.plan.rows.size()));
     else if (!solved.solution.reached)
         warnings.push_back(fmt::format("The asked accuracy of {:.3g} % was not reached: the "
                                        "largest estimated error is {:.3g} %.",
