@@ -27,8 +27,8 @@ private:
     std::string trouble_;
 };
 
-/// A frame as VTK's XML for points: positions, radius, velocity v, angular velocity omega, id, in
-/// SI units and in the order of the ids.
+/// A frame as VTK's XML for points: positions, radius, local volume (local_volumes.hpp), velocity
+/// v, angular velocity omega, id, in SI units and in the order of the ids.
 [[nodiscard]] std::string frame_text(const solvers::particles::ParticleStore& particles,
                                      const solvers::particles::ShearBox& box);
 

@@ -90,6 +90,7 @@ std::vector<LagForecast> forecast_lag(const rheometry::SpeedHistory& history, St
     }
     const History memory(history);
     const std::size_t gaps = curve.gaps().size();
+    const double yield_torque = curve.yield_torque();
     const double floor = stress_floor * curve.at(curve.largest_speed()).torque;
     std::size_t piece = 0;
     for (std::size_t row = 0; row < forecasts.size(); ++row) {
@@ -122,7 +123,7 @@ std::vector<LagForecast> forecast_lag(const rheometry::SpeedHistory& history, St
                 most += std::abs(memory.torque(time, piece, chamber));
             }
         }
-        const double steady = speed == 0.0 ? curve.yield_torque() : here.torque;
+        const double steady = speed == 0.0 ? yield_torque : here.torque;
         if (speed == 0.0 && most < held_share * steady) {
             continue;
         }

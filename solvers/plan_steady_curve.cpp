@@ -1,6 +1,8 @@
 #include "solvers/plan_steady_curve.hpp"
 
 #include "solvers/plan_chambers.hpp"
+#include "solvers/radial/rotor_gaps.hpp"
+#include "solvers/radial/transient_levels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -90,11 +92,7 @@ SteadyCurve::SteadyCurve(const geometry::Instrument& instrument, const Fluid& fl
 }
 
 double SteadyCurve::yield_torque() const {
-    double torque = 0.0;
-    for (const InstrumentGap& gap : gaps_) {
-        torque += laws::flow::yield_stress(fluid_.law) * gap.torque_per_stress;
-    }
-    return torque;
+    return radial::yield_torque(radial::rotor_gaps(instrument_, fluid_.density), fluid_.law);
 }
 
 SteadyState SteadyCurve::solve(double speed) const {

@@ -22,6 +22,16 @@ double worst_relative_error(std::span<const rheometry::TorqueRow> rows) {
     return worst;
 }
 
+std::vector<bool> rows_at_rest(std::span<const double> torque, double yield,
+                               const rheometry::SpeedHistory& history) {
+    std::vector<bool> rest(torque.size(), false);
+    for (std::size_t k = 0; k < torque.size(); ++k) {
+        rest[k] = yield > 0.0 && history.speed_at(history.row_times[k]) == 0.0 &&
+                  std::abs(torque[k]) <= 1.01 * yield;
+    }
+    return rest;
+}
+
 std::vector<double> level_changes(std::span<const double> before, std::span<const double> after,
                                   const rheometry::SpeedHistory& history, double tolerance) {
     const std::size_t rows = std::min(before.size(), after.size());

@@ -13,6 +13,13 @@ namespace searle::solvers {
 /// rest are left out.
 [[nodiscard]] double worst_relative_error(std::span<const rheometry::TorqueRow> rows);
 
+/// True for each row at which the drive stands still and the torque is within what a fluid at rest
+/// carries (rheometry::TorqueRow::rests).
+/// @param torque  of the history's first rows
+/// @param yield   what it carries at the most, >= 0, in the unit of the torque; 0: nothing rests
+[[nodiscard]] std::vector<bool> rows_at_rest(std::span<const double> torque, double yield,
+                                             const rheometry::SpeedHistory& history);
+
 /// Change of each row's torque from one level of resolution to the next, or of a neighbour where
 /// that is more, relative to the torque: a row at which two levels happen to cross is not exact.
 /// Within one piece of the history, where the torque is smooth, a neighbour's absolute change

@@ -173,10 +173,8 @@ std::vector<double> set_errors(const std::vector<double>& before,
     for (const double each : result.torque) {
         largest = std::max(largest, std::abs(each));
     }
-    result.rests.assign(result.torque.size(), false);
+    result.rests = rows_at_rest(result.torque, yield_torque, history);
     for (std::size_t k = 0; k < result.torque.size(); ++k) {
-        result.rests[k] = yield_torque > 0.0 && history.speed_at(history.row_times[k]) == 0.0 &&
-                          std::abs(result.torque[k]) <= 1.01 * yield_torque;
         if (result.rests[k]) {
             const bool stood = k > 0 && history.speed_at(history.row_times[k - 1]) == 0.0;
             // The fluid may have turned on after an abrupt stop, and dragged the rotor.

@@ -2,6 +2,7 @@
 
 #include "solvers/radial/annular_gap.hpp"
 #include "solvers/radial/gap_run.hpp"
+#include "solvers/row_errors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -156,18 +157,6 @@ std::vector<double> differences(std::span<const double> fine, std::span<const do
         }
     }
     return widened;
-}
-
-/// True for each row at which the drive stands still and the torque is within what a fluid at rest
-/// carries. A rigid-plastic law leaves that torque open between the yield torques.
-std::vector<bool> rows_at_rest(std::span<const double> torque, double yield,
-                               const rheometry::SpeedHistory& history) {
-    std::vector<bool> rest(torque.size(), false);
-    for (std::size_t k = 0; k < torque.size(); ++k) {
-        rest[k] = yield > 0.0 && history.speed_at(history.row_times[k]) == 0.0 &&
-                  std::abs(torque[k]) <= 1.01 * yield;
-    }
-    return rest;
 }
 
 /// Whether a row stands still, or the speed changes its sign, gradually or by a jump.

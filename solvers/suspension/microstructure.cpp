@@ -218,7 +218,7 @@ Microstructure Microstructure::from(std::span<const double> numbers) {
         throw std::invalid_argument("these are not the numbers of a microstructure");
     std::size_t next = 0;
     visit(restored, [&](double& number) {
-        number = next < numbers.size() ? numbers[next] : 0.0;
+        number = numbers[next];
         ++next;
     });
     return restored;
