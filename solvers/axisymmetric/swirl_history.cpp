@@ -146,18 +146,46 @@ SectionLines halved(const SectionLines& lines) {
     return refined(lines, marks, element_ratio);
 }
 
-/// Of the last motion before a time at which the rotor stands still; 0 before any.
-double sign_of_motion(const rheometry::SpeedHistory& history, double time) {
-    double last = history.initial_speed;
+/// Of the torque that a fluid at rest was left with: the last motion's where the rotor slowed down
+/// to rest, the opposite where it stopped at once and the fluid ran on; 0 before any motion.
+double sign_at_rest(const rheometry::SpeedHistory& history, double time) {
+    double speed = history.initial_speed;
+    double sign = speed == 0.0 ? 0.0 : std::copysign(1.0, speed);
     for (const auto& piece : history.pieces) {
-        if (piece.start_time < time && piece.start_speed != 0.0) {
-            last = piece.start_speed;
+        if (piece.start_time >= time) {
+            break;
         }
-        if (piece.end_time < time && piece.end_speed != 0.0) {
-            last = piece.end_speed;
+        if (piece.start_speed != 0.0) {
+            sign = std::copysign(1.0, piece.start_speed);
+        } else if (speed != 0.0) {
+            sign = -std::copysign(1.0, speed);
+        }
+        speed = piece.end_speed;
+        if (speed != 0.0 && piece.end_time < time) {
+            sign = std::copysign(1.0, speed);
         }
     }
-    return last == 0.0 ? 0.0 : std::copysign(1.0, last);
+    return sign;
+}
+
+/// The rows at rest of a run hold the yield torque, with the sign of what the flow left them with
+/// where the run tells it, or the row before at the same stop.
+void hold_yield_torque(const std::vector<bool>& rests, double yield_torque,
+                       const rheometry::SpeedHistory& history, std::vector<double>& torque) {
+    for (std::size_t k = 0; k < torque.size(); ++k) {
+        if (!rests[k]) {
+            continue;
+        }
+        const auto& piece = history.piece_at(history.row_times[k]);
+        const bool stood = k > 0 && rests[k - 1] && piece.start_speed == 0.0 &&
+                           piece.start_time <= history.row_times[k - 1];
+        if (std::abs(torque[k]) > 0.5 * yield_torque) {
+            torque[k] = std::copysign(yield_torque, torque[k]);
+        } else {
+            torque[k] =
+                stood ? torque[k - 1] : sign_at_rest(history, history.row_times[k]) * yield_torque;
+        }
+    }
 }
 
 /// Bars from the torques of the level before, empty at the first; the result is what each row has
@@ -174,18 +202,7 @@ std::vector<double> set_errors(const std::vector<double>& before,
         largest = std::max(largest, std::abs(each));
     }
     result.rests = rows_at_rest(result.torque, yield_torque, history);
-    for (std::size_t k = 0; k < result.torque.size(); ++k) {
-        if (result.rests[k]) {
-            const bool stood = k > 0 && history.speed_at(history.row_times[k - 1]) == 0.0;
-            // The fluid may have turned on after an abrupt stop, and dragged the rotor.
-            const double sign = std::abs(result.torque[k]) > 0.5 * yield_torque || !stood
-                                    ? result.torque[k]
-                                    : result.torque[k - 1];
-            result.torque[k] = std::abs(sign) > 0.5 * yield_torque
-                                   ? std::copysign(yield_torque, sign)
-                                   : sign_of_motion(history, history.row_times[k]) * yield_torque;
-        }
-    }
+    hold_yield_torque(result.rests, yield_torque, history, result.torque);
     std::vector<double> change = level_changes(before, result.torque, history, tolerance);
     result.error.assign(result.torque.size(), largest);
     result.worst_relative_error = before.empty() ? 1.0 : 0.0;

@@ -31,7 +31,7 @@ struct SwirlDrive {
 class SwirlStepper {
 public:
     struct Settings {
-        double tolerance{}; ///< of w in one step, over the largest w
+        double tolerance{}; ///< of w in one step, over w, both in the norm of the kinetic energy
         double inertia{};   ///< rho length^2 reference speed / stress scale, s
         double rounding{};  ///< of the law at rest (SwirlLaw::RoundedPotential)
     };
@@ -41,7 +41,9 @@ public:
     [[nodiscard]] bool start_steadily(double speed);
     /// A new stretch of the drive; the first step of it is `first` s long.
     [[nodiscard]] bool begin(const SwirlDrive& drive, double first);
-    /// One accepted step that does not pass `limit`; false where none can be taken.
+    /// One accepted step that does not pass `limit`; false where none can be taken. A flow that a
+    /// standing rotor has brought to rest is left there: a yield stress does so in a finite time,
+    /// and no step that is accurate relative to the flow gets past it.
     [[nodiscard]] bool step(double limit);
 
     [[nodiscard]] double time() const { return time_; }
@@ -62,6 +64,7 @@ private:
                                 Eigen::VectorXd& values);
     /// Error over what is allowed; infinite where a stage was not solved.
     [[nodiscard]] double attempt(double length);
+    [[nodiscard]] bool has_come_to_rest() const;
     void turn_rotor(double speed, Eigen::VectorXd& values) const;
 
     const SectionSpace& space_;

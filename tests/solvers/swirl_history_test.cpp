@@ -8,7 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace searle::solvers::axisymmetric {
@@ -61,27 +63,54 @@ TEST(SwirlHistory, of_a_newtonian_fluid_is_that_of_its_modes_at_three_accuracies
 
 /// Independent method: what a longer bob adds far from both ends is the torque of a slice, which
 /// the radial solver has by a discretisation of its own (fluxes, moving yield surfaces split
-/// exactly). The ends are the same for both lengths.
-TEST(SwirlHistory, of_a_longer_bob_adds_the_slice_of_the_radial_solver) {
-    const auto with_length = [](double length) {
+/// exactly). The ends are the same for both lengths. Gives the run of the shorter bob.
+SwirlHistory expect_a_slice_more(const rheometry::SpeedHistory& history, double accuracy,
+                                 double tolerance = std::numeric_limits<double>::infinity()) {
+    const auto with_length = [&](double length) {
         geometry::DinBob longer = bob;
         longer.length_ratio = length / bob.bob_radius;
-        return history_of(longer, slurry, up_and_down(), 4e-3);
+        return history_of(longer, slurry, history, accuracy);
     };
     const SwirlHistory small = with_length(0.042);
     const SwirlHistory large = with_length(0.063);
-    ASSERT_TRUE(small.reached && large.reached);
-    ASSERT_EQ(small.levels, large.levels) << "on different levels the ends' errors do not cancel";
+    EXPECT_EQ(small.levels, large.levels) << "on different levels the ends' errors do not cancel";
+    EXPECT_TRUE(small.reached && large.reached);
     const geometry::ConcentricCylinders slice{
         .bob_radius = bob.bob_radius, .cup_radius = bob.cup_radius, .height = 0.021};
     const auto radial =
-        radial::solve_levels(radial::rotor_gaps(slice, density), slurry, up_and_down(), 1e-5, {});
-    ASSERT_TRUE(radial.reached);
-    for (std::size_t k = 0; k < radial.torque.size(); ++k) {
-        const double added = large.torque[k] - small.torque[k];
-        // Found: 1.1e-5. Most of either run's error is the ends' and cancels.
-        EXPECT_NEAR(added / radial.torque[k], 1.0, 5e-5) << k;
+        radial::solve_levels(radial::rotor_gaps(slice, density), slurry, history, 1e-5, {});
+    EXPECT_TRUE(small.torque.size() == radial.torque.size() &&
+                large.torque.size() == radial.torque.size());
+    for (std::size_t k = 0; k < std::min(small.torque.size(), large.torque.size()); ++k) {
+        EXPECT_EQ(small.rests[k], radial.rests[k]) << k;
+        if (!small.rests[k]) {
+            const double added = large.torque[k] - small.torque[k];
+            EXPECT_NEAR(added / radial.torque[k], 1.0, tolerance) << k;
+            EXPECT_NEAR(added, radial.torque[k], small.error[k] + large.error[k] + radial.error[k])
+                << k;
+        }
     }
+    return small;
+}
+
+TEST(SwirlHistory, of_a_longer_bob_adds_the_slice_of_the_radial_solver) {
+    // Found: 1.1e-5. Most of either run's error is the ends' and cancels.
+    const SwirlHistory found = expect_a_slice_more(up_and_down(), 4e-3, 5e-5);
+    EXPECT_EQ(found.torque.size(), up_and_down().row_times.size());
+}
+
+/// The fluid runs on and drags the rotor, its yield stress ends the flow in a finite time, and the
+/// next row starts from rest.
+TEST(SwirlHistory, an_abrupt_stop_is_followed_to_rest_and_beyond) {
+    const rheometry::SpeedHistory stop{.pieces = {{0.0, 0.1, 0.0, 0.0}, {0.1, 0.4, 4.0, 4.0}},
+                                       .row_times = {0.002, 0.08, 0.1, 0.4},
+                                       .initial_speed = 8.0};
+    const SwirlHistory found = expect_a_slice_more(stop, 2e-2);
+    ASSERT_EQ(found.torque.size(), 4U);
+    EXPECT_EQ(found.rests, (std::vector<bool>{false, true, true, false}));
+    EXPECT_LT(found.torque[0], 0.0);
+    EXPECT_LT(found.torque[1], 0.0);
+    EXPECT_EQ(found.torque[2], found.torque[1]);
 }
 
 TEST(SwirlHistory, of_a_yield_stress_fluid_ends_in_the_steady_torque) {
