@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <variant>
 
 namespace searle::solvers::meridional {
@@ -23,8 +24,10 @@ constexpr std::array<FlowResolution, 6> resolutions{
 constexpr double easy_reynolds = 60.0;
 /// Speeds along the way rise by at most this factor ...
 constexpr double longest_stride = 2.5;
-/// ... and when Newton's method fails by less and less, down to this.
+/// ... and when Newton's method fails by less and less, down to this; a level that needs shorter
+/// ones is too coarse for the flow, and costs more than the next one.
 constexpr double shortest_stride = 1.02;
+constexpr double shortest_with_finer = 1.1;
 constexpr double path_tolerance = 3e-2; ///< of the velocities on the way
 /// Rounding of the yield surface on the first level, halved on each further one.
 constexpr double first_yield_rounding = 2e-2;
@@ -136,6 +139,7 @@ bool SteadySecondaryFlow::follow(std::size_t index, double from, double to) {
     FlowLevel& flow = *level(index).flow;
     double at = from;
     double stride = longest_stride;
+    const double shortest = index + 1 < resolutions.size() ? shortest_with_finer : shortest_stride;
     while (at != to) {
         const double next = std::abs(std::log(to / at)) <= std::log(stride) ? to
                             : to > at                                       ? at * stride
@@ -147,7 +151,8 @@ bool SteadySecondaryFlow::follow(std::size_t index, double from, double to) {
             continue;
         }
         stride = std::sqrt(std::min(stride, std::max(next / at, at / next)));
-        if (stride < shortest_stride) {
+        if (stride < shortest) {
+            stuck_at_ = at;
             return false;
         }
     }
@@ -169,9 +174,17 @@ bool SteadySecondaryFlow::follow_inertia(std::size_t index, double speed) {
 
 bool SteadySecondaryFlow::reach(std::size_t index, double speed) {
     FlowLevel& flow = *level(index).flow;
+    const std::optional<double> of_coarser = std::exchange(stuck_at_, {});
     if (speed_of_first_ && index == first_level_ && *speed_of_first_ <= speed &&
         follow(index, *speed_of_first_, speed)) {
         return true;
+    }
+    if (of_coarser) {
+        flow.start_from(*levels_[index - 1].flow);
+        if (solve_steady(flow, fluid_at(*of_coarser, index).material(), path_tolerance) &&
+            follow(index, *of_coarser, speed)) {
+            return true;
+        }
     }
     // From the creeping flow at a speed where that is near.
     double slow = speed;
@@ -183,6 +196,7 @@ bool SteadySecondaryFlow::reach(std::size_t index, double speed) {
     }
     const ScaledFluid fluid = fluid_at(slow, index);
     creep(index, slow);
+    stuck_at_.reset();
     return solve_steady(flow, fluid.material(), newton_share * accuracy_) &&
            follow(index, slow, speed);
 }
@@ -199,6 +213,7 @@ InertiaFactor SteadySecondaryFlow::at(double speed, const ProgressSink& progress
 
 InertiaFactor SteadySecondaryFlow::solve_at(double speed, const ProgressSink& progress) {
     InertiaFactor result;
+    stuck_at_.reset();
     double before = 0.0;
     double change_before = 0.0;
     int found = 0;

@@ -91,6 +91,7 @@ private:
     std::vector<Level> levels_;
     std::size_t first_level_{};            ///< the coarsest one that holds the flow
     std::optional<double> speed_of_first_; ///< of the state on it
+    std::optional<double> stuck_at_;       ///< speed of the state on a level that got no further
     std::size_t last_level_{};
     double work_left_{};                                     ///< of the call under way
     double work_{};                                          ///< of all calls
