@@ -1,11 +1,20 @@
 #include "solvers/radial/gap_element.hpp"
 
 namespace searle::solvers::radial {
+namespace {
+
+/// A root this far outside of [-1, 1] changes five Gauss points' sum by 1e-10 of it.
+constexpr double farthest_felt = 4.0;
+
+} // namespace
 
 GapElement::GapElement(const GapShape& shape, double left, double right, double exponent)
     : middle_(0.5 * (left + right)), half_(0.5 * (right - left)), planar_(shape.planar),
       smallest_a_(planar_ ? 1.0 : left * left), largest_a_(planar_ ? 1.0 : right * right),
-      rooted_(exponent < 2.0) {
+      start_power_(exponent < 1.0   ? 4
+                   : exponent < 2.0 ? 2
+                                    : 1),
+      reach_(exponent < 2.0 && exponent != 1.0 ? farthest_felt : 0.0) {
     const auto prepare = [&](const auto& rule) {
         for (std::size_t k = 0; k < rule.node.size(); ++k) {
             const double xi = rule.node[k];
@@ -53,7 +62,7 @@ int GapElement::crossings(const Flux& flux, double yield, std::array<double, 4>&
     const double a1 = planar_ ? 0.0 : 2.0 * middle_ * half_;
     const double a2 = planar_ ? 0.0 : half_ * half_;
     const auto keep = [&](double xi) {
-        if (xi > -1.0 && xi < 1.0) {
+        if (xi > -1.0 - reach_ && xi < 1.0 + reach_) {
             int place = count++;
             for (; place > 0 && cuts[static_cast<std::size_t>(place - 1)] > xi; --place) {
                 cuts[static_cast<std::size_t>(place)] = cuts[static_cast<std::size_t>(place - 1)];

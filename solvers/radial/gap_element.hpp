@@ -54,7 +54,8 @@ public:
     void add_compliance(double compliance, const Flux& flux, const Flux& from,
                         Integrals& sum) const;
     /// Integrals over the element; split exactly where the flux crosses the yield stress, with a
-    /// variable that takes the root-like start of the rate away.
+    /// variable that takes the root-like start of the rate away, also where that start lies a
+    /// little outside: the integrals are continuous in the flux, however a crossing passes a node.
     template <class Law>
     [[nodiscard]] Integrals integrals(const Law& law, const Flux& flux) const;
 
@@ -84,13 +85,15 @@ private:
     [[nodiscard]] State state(const Flux& flux, double yield) const {
         const double low = std::min(flux[0], flux[1]) + std::min(flux[2], 0.0);
         const double high = std::max(flux[0], flux[1]) + std::max(flux[2], 0.0);
-        if (low > yield * largest_a_ || high < -yield * largest_a_) {
+        const double margin = 0.5 * reach_ * (high - low);
+        if (low - margin > yield * largest_a_ || high + margin < -yield * largest_a_) {
             return State::sheared;
         }
         const bool plug = high < yield * smallest_a_ && low > -yield * smallest_a_;
         return plug ? State::plug : State::unsure;
     }
-    /// Places in (-1, 1) where |F| = yield a, increasing; the result is how many there are.
+    /// Places where |F| = yield a, increasing, in (-1, 1) and `reach_` beyond on both sides; the
+    /// result is how many there are.
     [[nodiscard]] int crossings(const Flux& flux, double yield, std::array<double, 4>& cuts) const;
 
     double middle_{};
@@ -101,7 +104,10 @@ private:
     std::array<double, 3> mass_{};
     std::array<double, 3> inverse_mass_{};
     int count_ = few_points;
-    bool rooted_{}; ///< the rate starts like a root or a low power at the yield stress
+    /// Where the rate starts like a root or a low power at the yield stress, xi = cut +- length
+    /// s^start_power_ makes it smooth.
+    int start_power_ = 1;
+    double reach_{}; ///< how far outside such a start is felt by the Gauss rule
     std::array<Sample, many_points> samples_{};
 };
 
@@ -144,34 +150,36 @@ GapElement::Integrals GapElement::integrals(const Law& law, const Flux& flux) co
         }
         return sum;
     }
+    // Over [from, to], away from a crossing at `cut` on the side of `from`.
     const auto& rule = gauss_rule<many_points>();
-    // From a crossing the rate starts as excess^p. With p < 2 the variable xi = cut +- length s^2
-    // makes it smooth; a higher power is smooth enough as it is.
-    const auto add_from_cut = [&](double cut, double end) {
-        const double length = end - cut;
+    const auto add_from_cut = [&](double cut, double from, double to) {
+        const double length = to - cut;
+        const double power = start_power_;
+        const double first = from == cut ? 0.0 : std::pow((from - cut) / length, 1.0 / power);
+        const double span = 1.0 - first;
         for (std::size_t k = 0; k < rule.node.size(); ++k) {
-            const double s = 0.5 * (1.0 + rule.node[k]);
-            const double part = rooted_ ? s * s : s;
-            const double weight =
-                0.5 * rule.weight[k] * (rooted_ ? 2.0 * s : 1.0) * std::abs(length);
-            add(sum, law, yield, flux, sample_at(cut + length * part, weight));
+            const double s = first + 0.5 * span * (1.0 + rule.node[k]);
+            const double before = start_power_ == 1 ? 1.0 : start_power_ == 2 ? s : s * s * s;
+            const double weight = 0.5 * rule.weight[k] * span * power * before * std::abs(length);
+            add(sum, law, yield, flux, sample_at(cut + length * before * s, weight));
         }
     };
-    double left = -1.0;
+    const auto cut = [&](int k) { return cuts[static_cast<std::size_t>(k)]; };
     for (int k = 0; k <= count; ++k) {
-        const double right = k < count ? cuts[static_cast<std::size_t>(k)] : 1.0;
-        const bool left_is_cut = k > 0;
-        const bool right_is_cut = k < count;
-        if (left_is_cut && right_is_cut) {
-            const double half_way = 0.5 * (left + right);
-            add_from_cut(left, half_way);
-            add_from_cut(right, half_way);
-        } else if (left_is_cut) {
-            add_from_cut(left, right);
-        } else {
-            add_from_cut(right, left);
+        const double left = k > 0 ? std::max(-1.0, cut(k - 1)) : -1.0;
+        const double right = k < count ? std::min(1.0, cut(k)) : 1.0;
+        if (left >= right) {
+            continue;
         }
-        left = right;
+        if (k > 0 && k < count) {
+            const double half_way = 0.5 * (left + right);
+            add_from_cut(cut(k - 1), left, half_way);
+            add_from_cut(cut(k), right, half_way);
+        } else if (k > 0) {
+            add_from_cut(cut(k - 1), left, right);
+        } else {
+            add_from_cut(cut(k), right, left);
+        }
     }
     return sum;
 }

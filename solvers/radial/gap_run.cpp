@@ -18,6 +18,12 @@ constexpr long most_steps = 2'000'000;
 constexpr long steps_between_calls = 32;
 /// What is left up to a row, over the longest step, that is not stepped over any more.
 constexpr double sliver = 1e-10;
+/// The same where a yield-stress fluid comes to rest: its torque is that of the yield stress by
+/// then, and the smallest steps show rounding alone.
+constexpr double sliver_at_rest = 1e-6;
+/// Before a stop steps halve what is left until it is this share of the longest; then their error
+/// alone decides.
+constexpr double first_left_to_error = 1e-4;
 /// Of the one small step after a jump, whose momentum is a tiny share of what the next row sees.
 constexpr double jump_tolerance = 1e-3;
 
@@ -62,7 +68,8 @@ public:
             time_ = piece.start_time;
             const double first_target = std::min(piece.end_time, history_.row_times[row]);
             // A kink or a jump starts a new momentum layer: begin with steps that can see it.
-            step_ = (first_target - time_) * 1e-2;
+            // A row that rounding puts beside the kink sets no scale.
+            step_ = 1e-2 * std::max(first_target - time_, 1e-12 * (piece.end_time - time_));
             if (piece.start_speed != speed_before) {
                 const double wait = first_target - time_;
                 const double smallest = wait * std::min(1e-4, 1e-2 * tolerance_);
@@ -173,6 +180,16 @@ private:
         return true;
     }
 
+    /// The last sliver before the wall stands still, by implicit Euler where that can be solved.
+    void finish_stop(const Piece& piece, double left) {
+        saved_flux_ = flux_;
+        const double next = step_;
+        if (!jump(piece, left)) {
+            flux_ = saved_flux_;
+        }
+        step_ = next;
+    }
+
     void guess_if_at_rest(double speed) {
         if (flux_.largest() == 0.0 && speed != 0.0) {
             guess_steady(speed);
@@ -188,16 +205,28 @@ private:
 
     bool advance_to(const Piece& piece, double target) {
         const double longest = (target - time_) / steps_per_row_;
+        const bool stops = piece.end_speed == 0.0 && target == piece.end_time &&
+                           !std::holds_alternative<laws::flow::Newtonian>(original_);
+        const bool comes_to_rest = stops && laws::flow::yield_stress(original_) > 0.0;
         while (time_ < target) {
             const double left = target - time_;
-            // Towards a stop steps shrink with what is left: the last of it is no time at all.
-            if (left <= std::max(1e-13 * target, sliver * longest)) {
+            // Towards a stop steps shrink with what is left: the last of it is no time at all. But
+            // a power of the wall's speed there may be seen yet.
+            if (left <=
+                std::max(1e-13 * target, (comes_to_rest ? sliver_at_rest : sliver) * longest)) {
+                if (stops && !comes_to_rest) {
+                    finish_stop(piece, left);
+                }
                 break;
             }
+            // A step over the whole of a stop may be accepted by accident.
+            const double most = stops && left > first_left_to_error * longest
+                                    ? std::min(longest, 0.5 * left)
+                                    : longest;
             // Equal steps up to the target rather than a short one at its end.
-            const double steps_left = std::ceil(left / std::min(step_, longest) * (1.0 - 1e-12));
+            const double steps_left = std::ceil(left / std::min(step_, most) * (1.0 - 1e-12));
             const double step =
-                steps_left > 1e9 ? std::min(step_, longest) : left / std::max(1.0, steps_left);
+                steps_left > 1e9 ? std::min(step_, most) : left / std::max(1.0, steps_left);
             if (run_.steps + run_.rejected > most_steps || step < 1e-15 * left ||
                 time_ + step == time_ || system_.assemblies() > most_assemblies_) {
                 return false;

@@ -2,6 +2,7 @@
 
 #include "solvers/radial/annular_gap.hpp"
 #include "solvers/radial/gap_run.hpp"
+#include "solvers/radial/level_differences.hpp"
 #include "solvers/row_errors.hpp"
 
 #include <algorithm>
@@ -109,54 +110,6 @@ Level run_level(std::span<const RotorGap> gaps, const laws::flow::AnyFlowLaw& la
     }
     level.torque.resize(complete);
     return level;
-}
-
-/// True for each row that no jump of the speed separates from the row before it.
-std::vector<bool> follows_smoothly(const rheometry::SpeedHistory& history) {
-    std::vector<bool> smooth(history.row_times.size(), true);
-    double speed = history.initial_speed;
-    for (const auto& piece : history.pieces) {
-        if (piece.start_speed != speed) {
-            const auto first = std::upper_bound(history.row_times.begin(), history.row_times.end(),
-                                                piece.start_time);
-            if (first != history.row_times.end()) {
-                smooth[static_cast<std::size_t>(first - history.row_times.begin())] = false;
-            }
-        }
-        speed = piece.end_speed;
-    }
-    return smooth;
-}
-
-/// Differences of two levels relative to each row's scale, widened by the neighbours' on this side
-/// of a jump: two levels can agree at a row by accident.
-std::vector<double> differences(std::span<const double> fine, std::span<const double> coarse,
-                                std::span<const double> scale, const std::vector<bool>& smooth) {
-    const std::size_t rows = std::min(fine.size(), coarse.size());
-    std::vector<double> plain(rows, 0.0);
-    for (std::size_t k = 0; k < rows; ++k) {
-        if (scale[k] > 0.0) {
-            plain[k] = std::abs(fine[k] - coarse[k]) / scale[k];
-        }
-    }
-    // Where the torque passes through zero a neighbour's difference is larger than its share of the
-    // row's own scale says; half of it counts.
-    constexpr double absolute_share = 0.5;
-    std::vector<double> widened = plain;
-    const auto widen = [&](std::size_t row, std::size_t neighbour) {
-        const double absolute =
-            scale[row] > 0.0 && fine[row] * fine[neighbour] < 0.0
-                ? absolute_share * plain[neighbour] * scale[neighbour] / scale[row]
-                : 0.0;
-        widened[row] = std::max({widened[row], plain[neighbour], absolute});
-    };
-    for (std::size_t k = 1; k < rows; ++k) {
-        if (smooth[k]) {
-            widen(k, k - 1);
-            widen(k - 1, k);
-        }
-    }
-    return widened;
 }
 
 /// Whether a row stands still, or the speed changes its sign, gradually or by a jump.
@@ -272,9 +225,9 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
                              const rheometry::SpeedHistory& history, double accuracy,
                              const ProgressSink& progress) {
     std::vector<double> layers;
-    const std::vector<bool> smooth = follows_smoothly(history);
-    const bool jumps = std::find(smooth.begin(), smooth.end(), false) != smooth.end();
     const bool newtonian = std::holds_alternative<laws::flow::Newtonian>(law);
+    const RowLinks links = row_links(history, newtonian);
+    const bool jumps = std::ranges::find(links.smooth, false) != links.smooth.end();
     const double usual_safety = newtonian ? safety : safety_of_other_laws;
     const bool steepened = jumps && !newtonian;
     for (const RotorGap& gap : gaps) {
@@ -295,6 +248,14 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
     std::vector<double> coarse;
     std::vector<double> earlier;
     long most_assemblies = static_cast<long>(most_overrun * most_evaluations / elements);
+    const auto judge_by_too_few = [&] {
+        // Twice the doubt.
+        for (std::size_t k = 0; k < result.torque.size(); ++k) {
+            result.error[k] *= result.rests[k] ? 1.0 : 2.0;
+        }
+        result.worst_relative_error *= 2.0;
+        result.reached = result.worst_relative_error <= accuracy;
+    };
     for (int level = 0; level < most_levels; ++level) {
         const std::string stage = "level " + std::to_string(level + 1) + ", " +
                                   std::to_string(elements) + " elements across the gap";
@@ -316,6 +277,9 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
                 result.worst_relative_error = 1.0;
             }
             result.reached = false;
+            if (!found.interrupted && level > 1 && level <= first_judged) {
+                judge_by_too_few();
+            }
             break;
         }
         // Of the next level, which has twice the elements.
@@ -329,8 +293,9 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
         result.steps = found.steps;
         if (level > 0) {
             const std::vector<double> scale = torque_scale(result.torque, steady);
-            std::vector<double> difference = differences(result.torque, coarse, scale, smooth);
             result.rests = rows_at_rest(result.torque, yield, history);
+            std::vector<double> difference =
+                level_differences(result.torque, coarse, scale, links, result.rests);
             // Once the step tolerance has reached its floor two levels share their time error; and
             // each solve is ended at a share of the step tolerance.
             const double least_bar =
@@ -344,10 +309,9 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
                     continue;
                 }
                 const double before = k < earlier.size() ? earlier_share * earlier[k] : 0.0;
-                const bool stopped = history.speed_at(history.row_times[k]) == 0.0;
-                const double bar = std::max(
-                    {(stopped ? stop_safety : usual_safety) * std::max(difference[k], before),
-                     least_bar, found.rounding[k]});
+                const double bar = std::max({(links.stops[k] ? stop_safety : usual_safety) *
+                                                 std::max(difference[k], before),
+                                             least_bar, found.rounding[k]});
                 result.error[k] = bar * scale[k];
                 worst_rounding = std::max(worst_rounding, found.rounding[k]);
                 result.worst_relative_error = std::max(result.worst_relative_error, bar);
@@ -360,12 +324,7 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
             const bool is_last =
                 result.reached || rounded || elements > most_elements / 2 || expected > allowed;
             if (is_last && level < first_judged) {
-                // Too few levels to judge by: twice the doubt.
-                for (std::size_t k = 0; k < scale.size(); ++k) {
-                    result.error[k] *= result.rests[k] ? 1.0 : 2.0;
-                }
-                result.worst_relative_error *= 2.0;
-                result.reached = result.worst_relative_error <= accuracy;
+                judge_by_too_few();
             }
             if (is_last) {
                 break;

@@ -18,7 +18,7 @@ struct TransientTorque {
     bool interrupted{};
     double worst_relative_error{}; ///< largest error over the row's scale, see `torque_scale`
     double momentum_defect{};      ///< see GapRun
-    std::vector<bool> rests; ///< rheometry::TorqueRow::rests; may be shorter than `torque`
+    std::vector<bool> rests;       ///< rheometry::TorqueRow::rests; may be shorter than `torque`
     int levels{};
     int elements{};
     long steps{};
