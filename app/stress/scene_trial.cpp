@@ -60,7 +60,7 @@ void check_finite(const SolvedCase& solved) {
             throw Reason(Verdict::crashed, "a row holds a number that is none");
 }
 
-/// Verdict, worst ratio, largest claimed error, TruthBasis.
+/// Verdict, worst ratio, largest claimed error, TruthBasis, Trial::taylor_ratio.
 std::vector<double> judged(const RandomCase& scene, double limit) {
     std::vector<Case> cases = read_cases_text(scene.text, "scene.toml");
     if (cases.empty())
@@ -102,8 +102,11 @@ std::vector<double> judged(const RandomCase& scene, double limit) {
                             : static_cast<double>(Verdict::gave_up);
     if (completeness == Completeness::not_reached && warnings_of(solved).empty())
         throw Reason(Verdict::crashed, "gave up without a reason");
+    double taylor_ratio = 0.0;
+    for (const solvers::RowForecast& row : solved.plan.rows)
+        taylor_ratio = std::max(taylor_ratio, row.taylor_ratio);
     if (!scene.physical || solved.source.scene.particles)
-        return {code, 0.0, claimed, static_cast<double>(TruthBasis::none)};
+        return {code, 0.0, claimed, static_cast<double>(TruthBasis::none), taylor_ratio};
     const SceneTruth truth = truth_of(solved, truth_share * limit);
     const auto& rows = solved.solution.history.rows;
     double worst = 0.0;
@@ -114,7 +117,7 @@ std::vector<double> judged(const RandomCase& scene, double limit) {
             worst = std::max(worst, distance / bars);
     }
     return {worst > 1.0 ? static_cast<double>(Verdict::wrong) : code, worst, claimed,
-            static_cast<double>(truth.basis)};
+            static_cast<double>(truth.basis), taylor_ratio};
 }
 
 /// The system ends the process when it has used so much CPU: what waits for a busy machine does not
@@ -183,11 +186,12 @@ Trial try_scene(const RandomCase& scene, double limit, const bench::StopQuestion
         trial.reason = fmt::format("not done within {:.0f} s", trial.cpu);
         return trial;
     }
-    if (ended.values.size() == 4) {
+    if (ended.values.size() == 5) {
         trial.verdict = static_cast<Verdict>(static_cast<int>(ended.values[0]));
         trial.worst_ratio = ended.values[1];
         trial.relative_error = ended.values[2];
         trial.truth = name_of(static_cast<TruthBasis>(static_cast<int>(ended.values[3])));
+        trial.taylor_ratio = ended.values[4];
         if (trial.verdict == Verdict::wrong)
             trial.reason = fmt::format("{:.3g} error bars from {}", trial.worst_ratio, trial.truth);
         return trial;

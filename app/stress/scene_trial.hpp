@@ -26,8 +26,11 @@ struct Trial {
     double worst_ratio{};    ///< largest distance from the truth over the error bar(s)
     double relative_error{}; ///< largest claimed, relative to the stress
     double cpu{};            ///< s, the truth's cost included
-    std::string truth;       ///< what it was held to
-    std::string reason;      ///< of anything but `right`
+    /// Largest Re over its value at the onset of Taylor vortices; 0 without any, or where the scene
+    /// told nothing.
+    double taylor_ratio{};
+    std::string truth;  ///< what it was held to
+    std::string reason; ///< of anything but `right`
 };
 
 /// Runs a scene in a process of its own and holds it to the truth: of steady gaps an evaluation

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view header =
-    "family,number,seed,kind,verdict,worst_ratio,claimed_error,cpu_s,truth,reason\n";
+    "family,number,seed,kind,verdict,worst_ratio,claimed_error,cpu_s,truth,reason,taylor_ratio\n";
 
 /// Without what would break a table's line.
 std::string one_line(std::string text) {
@@ -26,9 +26,9 @@ std::string one_line(std::string text) {
 
 std::string row_of(const std::string& family, long number, std::uint64_t seed,
                    const std::string& kind, const Trial& trial) {
-    return fmt::format("{},{},{},{},{},{:.6g},{:.3g},{:.3g},{},{}\n", family, number, seed, kind,
-                       name_of(trial.verdict), trial.worst_ratio, trial.relative_error, trial.cpu,
-                       trial.truth, one_line(trial.reason));
+    return fmt::format("{},{},{},{},{},{:.6g},{:.3g},{:.3g},{},{},{:.4g}\n", family, number, seed,
+                       kind, name_of(trial.verdict), trial.worst_ratio, trial.relative_error,
+                       trial.cpu, trial.truth, one_line(trial.reason), trial.taylor_ratio);
 }
 
 Verdict verdict_of(const std::string& name) {
@@ -59,6 +59,7 @@ DoneScenes done_in(const fs::path& file, std::uint64_t seed) {
         trial.relative_error = std::strtod(cells[6].c_str(), nullptr);
         trial.cpu = std::strtod(cells[7].c_str(), nullptr);
         trial.reason = cells.size() > 9 ? cells[9] : "";
+        trial.taylor_ratio = cells.size() > 10 ? std::strtod(cells[10].c_str(), nullptr) : 0.0;
         done[{cells[0], std::strtol(cells[1].c_str(), nullptr, 10)}] = {cells[3], trial};
     }
     return done;
@@ -76,6 +77,8 @@ void keep_case(const fs::path& folder, const std::string& name, const Trial& tri
 
 void count(Tally& tally, const Trial& trial) {
     ++tally.count[trial.verdict];
+    tally.below_onset += trial.taylor_ratio <= 1.0 ? 1 : 0;
+    tally.right_below_onset += trial.taylor_ratio <= 1.0 && trial.verdict == Verdict::right ? 1 : 0;
     tally.cpu += trial.cpu;
 }
 
@@ -167,6 +170,12 @@ std::string stress_text(const StressResult& result) {
         text += tally_line(family, tally);
         for (const auto& [kind, part] : result.kinds.at(family))
             text += tally_line("  " + kind, part);
+        if (tally.below_onset < tally.total())
+            text += fmt::format("  {}, below the onset of Taylor vortices: {} of {} scenes RIGHT "
+                                "({:.1f} %)\n",
+                                family, tally.right_below_onset, tally.below_onset,
+                                100.0 * static_cast<double>(tally.right_below_onset) /
+                                    static_cast<double>(std::max(1L, tally.below_onset)));
     }
     for (const std::string& failure : result.failures)
         text += "  " + failure + '\n';
@@ -180,7 +189,8 @@ std::string stress_json(const StressResult& result) {
                             tally.total(), tally.failures());
         for (const auto& [verdict, number] : tally.count)
             text += fmt::format(", \"{}\": {}", name_of(verdict), number);
-        text += fmt::format(", \"cpu_s\": {:.3f}}}", tally.cpu);
+        text += fmt::format(", \"below_onset\": {}, \"right_below_onset\": {}, \"cpu_s\": {:.3f}}}",
+                            tally.below_onset, tally.right_below_onset, tally.cpu);
     }
     return text + "\n}\n";
 }

@@ -24,6 +24,10 @@ struct StressPlan {
 /// How many scenes came to which verdict.
 struct Tally {
     std::map<Verdict, long> count;
+    /// Scenes in which no row lies past the onset of Taylor vortices (hung and crashed ones tell
+    /// nothing and count here), and those of them that came out right.
+    long below_onset{};
+    long right_below_onset{};
     double cpu{};
     [[nodiscard]] long total() const;
     [[nodiscard]] long failures() const;
@@ -37,9 +41,10 @@ struct StressResult {
 };
 
 /// Runs the scenes in the order of their numbers. `folder`/stress.csv gets a line a scene as it
-/// goes (family, number, seed, kind, verdict, ratio, claimed error, CPU, truth, reason); scenes of
-/// the same seed that stand there already are taken from there. The case of each failure is written
-/// to `folder`/failures/FAMILY-NUMBER.toml, that of a scene that gave up to `folder`/gave-up/.
+/// goes (family, number, seed, kind, verdict, ratio, claimed error, CPU, truth, reason, Re over
+/// that at the onset of Taylor vortices); scenes of the same seed that stand there already are
+/// taken from there. The case of each failure is written to `folder`/failures/FAMILY-NUMBER.toml,
+/// that of a scene that gave up to `folder`/gave-up/.
 /// @param told  called after each scene: how many are done of how many, and the failures so far
 [[nodiscard]] StressResult run_stress(const StressPlan& plan, const bench::StopQuestion& stop,
                                       const std::function<void(long, long, long)>& told);

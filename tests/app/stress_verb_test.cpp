@@ -150,6 +150,7 @@ TEST(StressTrial, an_accuracy_out_of_reach_gave_up) {
         "[solver]\naccuracy = 1e-6\n"));
     EXPECT_EQ(trial.verdict, Verdict::gave_up) << trial.reason;
     EXPECT_FALSE(is_failure(trial.verdict));
+    EXPECT_GT(trial.taylor_ratio, 1.0);
 }
 
 TEST(StressVerb, writes_a_table_goes_on_where_it_stopped_and_tells_json) {
@@ -172,6 +173,14 @@ TEST(StressVerb, writes_a_table_goes_on_where_it_stopped_and_tells_json) {
     EXPECT_EQ(json["complete"], true);
     EXPECT_EQ(json["fluid"]["scenes"], 12);
     EXPECT_EQ(json["fluid"]["failures"], 0);
+    // Eleven of them come from the table.
+    long below = 0;
+    std::istringstream lines(table.substr(table.find('\n') + 1));
+    for (std::string line; std::getline(lines, line);)
+        below += std::stod(line.substr(line.rfind(',') + 1)) <= 1.0 ? 1 : 0;
+    EXPECT_LT(below, 12);
+    EXPECT_EQ(json["fluid"]["below_onset"], below);
+    EXPECT_LE(json["fluid"]["right_below_onset"], below);
 }
 
 /// A sweep in two parts is the sweep in one.
