@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -17,15 +18,25 @@ namespace searle::solvers::axisymmetric {
 namespace {
 
 constexpr int most_levels = 7;
-constexpr int first_degree = 3;
-constexpr int highest_degree = 9;
 constexpr double element_ratio = 0.15;
-/// Element next to the rotor over the gap at the first level, and what it falls by.
+/// Element next to the rotor over the gap at the first level.
 constexpr double first_size = 0.1;
-constexpr double size_fall = 0.4;
-/// Tolerance of a step over the accuracy at the first level, and what it falls by.
+/// Tolerance of a step over the accuracy at the first level.
 constexpr double first_tolerance = 0.03;
-constexpr double tolerance_fall = 0.25;
+/// What changes from level to level. A yield surface moves through the middle of the gap: there the
+/// elements are what limits the torque, and neither those at the rotor nor the steps.
+struct Refinement {
+    std::array<int, most_levels> degree;
+    std::array<int, most_levels> halvings; ///< of all elements across the gap
+    double size;                           ///< factor of the element next to the rotor
+    double tolerance;                      ///< factor of a step's
+};
+constexpr Refinement smooth_flow{
+    .degree = {3, 4, 5, 6, 7, 8, 9}, .halvings = {}, .size = 0.4, .tolerance = 0.25};
+constexpr Refinement yielding_flow{.degree = {3, 4, 6, 8, 9, 9, 9},
+                                   .halvings = {0, 0, 0, 0, 1, 2, 3},
+                                   .size = 0.6,
+                                   .tolerance = 0.5};
 /// Rounding of the law at rest, over the rate at the rotor's wall at the fastest speed.
 constexpr double first_rounding = 3e-4;
 constexpr double rounding_fall = 0.25;
@@ -35,8 +46,8 @@ constexpr double first_safety = 3.0; ///< of the first change, with none before 
 constexpr double least_scale = 1e-3;
 /// First step after a kink or a jump, over the time to the next row.
 constexpr double first_step = 1e-4;
-/// Newton steps times unknowns that one further level may be expected to cost: some ten seconds.
-constexpr double most_work = 2e7;
+/// Newton steps times unknowns that one further level may be expected to cost: some forty seconds.
+constexpr double most_work = 1e7;
 constexpr double level_growth = 4.0;
 
 struct Level {
@@ -277,6 +288,7 @@ SwirlHistory swirl_history(const SectionShape& shape, const laws::flow::AnyFlowL
     const SwirlLaw scaled(law, reference, wall_rate / reference);
     const double scale = 2.0 * std::numbers::pi * std::pow(shape.unit(), 3) * scaled.stress_scale();
     const bool yields = laws::flow::yield_stress(law) > 0.0;
+    const Refinement& finer = yields ? yielding_flow : smooth_flow;
     SwirlStepper::Settings settings{
         .tolerance = first_tolerance * accuracy,
         .inertia = density * std::pow(shape.unit(), 2) * reference / scaled.stress_scale(),
@@ -294,9 +306,10 @@ SwirlHistory swirl_history(const SectionShape& shape, const laws::flow::AnyFlowL
             if (number > 1 && level_growth * work > most_work) {
                 break;
             }
-            const int degree = std::min(first_degree + number, highest_degree);
+            const auto level_index = static_cast<std::size_t>(number);
+            const int degree = finer.degree[level_index];
             SectionLines lines = graded_lines(shape, {.smallest = size, .ratio = element_ratio});
-            for (int cut = 0; yields && cut < number / 3; ++cut) {
+            for (int cut = 0; cut < finer.halvings[level_index]; ++cut) {
                 lines = halved(lines);
             }
             const SectionMesh mesh = section_of(shape, lines);
@@ -333,8 +346,8 @@ SwirlHistory swirl_history(const SectionShape& shape, const laws::flow::AnyFlowL
             if (result.reached || !level.complete) {
                 break;
             }
-            settings.tolerance *= tolerance_fall;
-            size *= size_fall;
+            settings.tolerance *= finer.tolerance;
+            size *= finer.size;
             if (yields) {
                 settings.rounding *= rounding_fall;
             }
