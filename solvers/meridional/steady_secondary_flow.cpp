@@ -187,6 +187,7 @@ bool SteadySecondaryFlow::reach(std::size_t index, double speed) {
         }
     }
     // From the creeping flow at a speed where that is near.
+    stuck_at_.reset();
     double slow = speed;
     for (int halving = 0; fluid_at(slow, index).reynolds() > easy_reynolds; ++halving) {
         if (halving == most_halvings) {
@@ -196,7 +197,6 @@ bool SteadySecondaryFlow::reach(std::size_t index, double speed) {
     }
     const ScaledFluid fluid = fluid_at(slow, index);
     creep(index, slow);
-    stuck_at_.reset();
     return solve_steady(flow, fluid.material(), newton_share * accuracy_) &&
            follow(index, slow, speed);
 }
