@@ -103,7 +103,7 @@ public:
 
 private:
     /// What a step's error may be: no less than rounding leaves it.
-    [[nodiscard]] double allowed() const { return std::max(tolerance_, system_.rounding()); }
+    [[nodiscard]] double allowed() const { return std::max(tolerance_, system_.step_rounding()); }
     [[nodiscard]] std::array<double, 2> walls(double speed) const {
         return shape_.outer_wall_moves ? std::array{0.0, speed} : std::array{speed, 0.0};
     }
@@ -205,7 +205,8 @@ private:
 
     bool advance_to(const Piece& piece, double target) {
         const double longest = (target - time_) / steps_per_row_;
-        const bool stops = piece.end_speed == 0.0 && target == piece.end_time &&
+        const bool stops = piece.end_speed == 0.0 && piece.start_speed != 0.0 &&
+                           target == piece.end_time &&
                            !std::holds_alternative<laws::flow::Newtonian>(original_);
         const bool comes_to_rest = stops && laws::flow::yield_stress(original_) > 0.0;
         while (time_ < target) {

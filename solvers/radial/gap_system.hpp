@@ -49,6 +49,8 @@ public:
     /// takes through an element, since the velocity then hangs on differences of nearly equal
     /// fluxes.
     [[nodiscard]] double rounding() const;
+    /// The same of the error estimate of a step, which is a difference of accelerations.
+    [[nodiscard]] double step_rounding() const;
 
     /// dw/dt that goes with a flux.
     void acceleration(const FluxField& flux, VelocityField& result) const;

@@ -127,6 +127,11 @@ bool stops_or_turns(const rheometry::SpeedHistory& history) {
                                [&](double time) { return history.speed_at(time) == 0.0; });
 }
 
+bool changes_sign(std::span<const double> torque) {
+    return std::ranges::adjacent_find(
+               torque, [](double one, double next) { return one * next < 0.0; }) != torque.end();
+}
+
 /// Steps from row to row with which each piece of the history gets its share of them. Where a fluid
 /// yields, stops or turns, the stress changes within a part of a piece, which steps as long as the
 /// piece see on no level.
@@ -241,8 +246,8 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
     const std::vector<double> steady = steady_torque(gaps, law, history);
     const double yield = yield_torque(gaps, law);
     // The first two levels share their steps: where a stop, or a turn into the other direction, is
-    // singular in time two halvings are needed to see it.
-    const int first_judged = stops_or_turns(history) && !newtonian ? 3 : 2;
+    // singular in time two halvings are needed to see it. The fluid may turn before its wall does.
+    int first_judged = stops_or_turns(history) && !newtonian ? 3 : 2;
     const int steps_per_row = newtonian ? 1 : steps_for_events(history);
     TransientTorque result;
     std::vector<double> coarse;
@@ -282,6 +287,9 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
             }
             break;
         }
+        if (!newtonian && changes_sign(found.torque)) {
+            first_judged = 3;
+        }
         // Of the next level, which has twice the elements.
         const double expected = level_growth * static_cast<double>(found.assemblies);
         const double allowed = most_evaluations / elements;
@@ -309,11 +317,15 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
                     continue;
                 }
                 const double before = k < earlier.size() ? earlier_share * earlier[k] : 0.0;
+                // Of a stress that falls from row to row the rounding stays what it was.
+                const double rounding =
+                    found.rounding[k] *
+                    (k > 0 && scale[k] > 0.0 ? std::max(1.0, scale[k - 1] / scale[k]) : 1.0);
                 const double bar = std::max({(links.stops[k] ? stop_safety : usual_safety) *
                                                  std::max(difference[k], before),
-                                             least_bar, found.rounding[k]});
+                                             least_bar, rounding});
                 result.error[k] = bar * scale[k];
-                worst_rounding = std::max(worst_rounding, found.rounding[k]);
+                worst_rounding = std::max(worst_rounding, rounding);
                 result.worst_relative_error = std::max(result.worst_relative_error, bar);
             }
             earlier = std::move(difference);

@@ -73,5 +73,29 @@ TEST(TransientStops, of_yield_stress_fluids_leave_the_rows_before_alone) {
     }
 }
 
+/// Long after a kink a Newtonian fluid's stress between plates is viscosity times the rate plus
+/// density times acceleration times a third of the gap: at the stop that is all there is. What is
+/// left of it after the velocity's rounding is known to a part of its bar.
+TEST(TransientStops, of_a_newtonian_fluid_leave_the_momentum_s_share_alone) {
+    const Newtonian fluid{0.01};
+    const double gap = 3e-4;
+    for (const double duration : {10.0, 300.0}) {
+        const auto history = up_and_down(0.02, duration, 4);
+        for (const double accuracy : {1e-4, 1e-6, 1e-8}) {
+            const auto found = solve_levels(plates(), fluid, history, accuracy, {});
+            ASSERT_EQ(found.torque.size(), 8U);
+            for (std::size_t k = 0; k < found.torque.size(); ++k) {
+                const double time = history.row_times[k];
+                const double exact = fluid.viscosity * history.speed_at(time) / gap +
+                                     1000.0 * history.acceleration_at(time) * gap / 3.0;
+                EXPECT_LE(std::abs(found.torque[k] - exact), found.error[k])
+                    << duration << ' ' << accuracy << ' ' << k;
+                EXPECT_NEAR(found.torque[k], exact, 1e-9 * fluid.viscosity * 0.02 / gap)
+                    << duration << ' ' << accuracy << ' ' << k;
+            }
+        }
+    }
+}
+
 } // namespace
 } // namespace searle::solvers::radial
