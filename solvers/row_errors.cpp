@@ -53,7 +53,7 @@ std::vector<double> level_changes(std::span<const double> before, std::span<cons
 std::vector<double> level_errors(std::span<const double> change, std::span<const double> before) {
     constexpr double safety = 2.0;
     /// At least this share of a row's last change counts.
-    constexpr double least_share = 0.25;
+    constexpr double least_share = 0.5;
     std::vector<double> error(change.size());
     for (std::size_t k = 0; k < change.size(); ++k) {
         const double share = k < before.size() && before[k] > 0.0

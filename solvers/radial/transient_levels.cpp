@@ -321,9 +321,11 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
                 const double rounding =
                     found.rounding[k] *
                     (k > 0 && scale[k] > 0.0 ? std::max(1.0, scale[k - 1] / scale[k]) : 1.0);
-                const double bar = std::max({(links.stops[k] ? stop_safety : usual_safety) *
-                                                 std::max(difference[k], before),
-                                             least_bar, rounding});
+                // The same where the wall lies in the plug for an instant, while its stress turns.
+                const bool is_singular = links.stops[k] || std::abs(result.torque[k]) <= yield;
+                const double bar = std::max(
+                    {(is_singular ? stop_safety : usual_safety) * std::max(difference[k], before),
+                     least_bar, rounding});
                 result.error[k] = bar * scale[k];
                 worst_rounding = std::max(worst_rounding, rounding);
                 result.worst_relative_error = std::max(result.worst_relative_error, bar);
