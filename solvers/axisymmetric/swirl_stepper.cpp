@@ -22,6 +22,9 @@ constexpr double steady_decrement = 1e-13;
 constexpr double rounding_step = 0.1; ///< of the way from a Newtonian start to the law
 /// Fastest rate of a fluid at rest, over the law's rounding: no torque is left to tell.
 constexpr double rest_share = 1e-8;
+/// Before a stop steps halve what is left until it is this share of the drive's stretch: a step
+/// over the whole of it may be accepted by accident, on every level.
+constexpr double first_left_to_error = 1e-4;
 
 } // namespace
 
@@ -148,10 +151,18 @@ bool SwirlStepper::step(double limit) {
     }
     constexpr double shortest = 1e-10;
     const double most_left = limit - time_;
+    const double stretch = limit - drive_.start_time;
+    // A yield stress leaves the torque of a stop open.
+    const bool stops =
+        drive_.acceleration != 0.0 && law_.yield_stress() == 0.0 &&
+        std::abs(drive_.speed_at(limit)) <= 1e-12 * std::abs(drive_.acceleration) * stretch;
     for (;;) {
         const double left = limit - time_;
+        const double longest = stops && left > first_left_to_error * stretch
+                                   ? std::min(next_length_, 0.5 * left)
+                                   : next_length_;
         // Equal steps up to the limit rather than a short one at its end.
-        const double count = std::max(1.0, std::ceil(left / next_length_ * (1.0 - 1e-12)));
+        const double count = std::max(1.0, std::ceil(left / longest * (1.0 - 1e-12)));
         const double length = left / count;
         if (length < shortest * most_left) {
             return false;
