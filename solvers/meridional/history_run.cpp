@@ -16,6 +16,9 @@ constexpr double least_scale_share = 0.1;
 /// the polynomial within a step misses by the same on every level. Not with an uneven rotor: what
 /// grows into vortices feels every change of the steps, and its levels part.
 constexpr int rows_met_around_bob = 8;
+/// Before a stop of a bob steps halve what is left until it is this share of the piece: a step over
+/// the whole of it may be accepted by accident, on every level.
+constexpr double first_left_to_error = 1e-4;
 /// Linear solves that a factorisation takes as long as, about.
 constexpr double factorisation_work = 30.0;
 constexpr double most_level_work = 6e7;
@@ -55,6 +58,7 @@ HistoryRun run_history(FlowLevel& level, const ScaledFluid& fluid, double refere
                        .acceleration = (piece.end_speed - piece.start_speed) / length /
                                        (reference_speed * reference_speed)});
         const double end = piece.end_time * reference_speed;
+        const bool stops = rows_met > 0 && piece.end_speed == 0.0 && piece.start_speed != 0.0;
         int rows_of_piece = 0;
         while (stepper.time() < end) {
             const double next_speed =
@@ -62,8 +66,12 @@ HistoryRun run_history(FlowLevel& level, const ScaledFluid& fluid, double refere
             const double next_row = row < rows.size() && rows_of_piece < rows_met
                                         ? std::min(end, rows[row] * reference_speed)
                                         : end;
-            const bool taken = stepper.step(next_row > stepper.time() ? next_row : end,
-                                            least_scale_share * next_speed);
+            double limit = next_row > stepper.time() ? next_row : end;
+            const double left = end - stepper.time();
+            if (stops && limit == end && left > first_left_to_error * length * reference_speed) {
+                limit -= 0.5 * left;
+            }
+            const bool taken = stepper.step(limit, least_scale_share * next_speed);
             run.steps = stepper.steps();
             run.solves = stepper.solves();
             run.end_time = stepper.time() / reference_speed;
