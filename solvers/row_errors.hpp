@@ -35,7 +35,7 @@ namespace searle::solvers {
 /// Errors of rows whose torque was found on levels of resolution in time and space: twice the last
 /// change, because the coarser of two levels may err in the same direction as the finer one (just
 /// after a jump, while vortices grow); once two changes of a row are known, later ones shrink at
-/// least as they did, of which half is believed.
+/// least as they did, of which half is believed, but the whole of the last change is claimed.
 /// @param change, before  level_changes of the last and the last but one level; `before` may have
 ///                        fewer rows
 [[nodiscard]] std::vector<double> level_errors(std::span<const double> change,
