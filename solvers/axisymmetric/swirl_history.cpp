@@ -60,10 +60,11 @@ struct Level {
     std::vector<std::pair<std::size_t, Eigen::VectorXd>> kept; ///< row from 1, w over fastest speed
 };
 
+/// @param steps_per_row  at least so many from a row, kink or jump to the next
 Level run_level(const SectionSpace& space, const SwirlLaw& law,
                 const SwirlStepper::Settings& settings, const rheometry::SpeedHistory& history,
-                std::span<const std::size_t> field_rows, const ProgressSink& progress,
-                const std::string& stage) {
+                int steps_per_row, std::span<const std::size_t> field_rows,
+                const ProgressSink& progress, const std::string& stage) {
     SwirlStepper stepper(space, law, settings);
     const double reference = history.fastest_speed();
     Level level;
@@ -94,8 +95,10 @@ Level run_level(const SectionSpace& space, const SwirlLaw& law,
             const bool has_row =
                 row < history.row_times.size() && history.row_times[row] <= piece.end_time;
             const double target = has_row ? history.row_times[row] : piece.end_time;
+            const double longest = (target - stepper.time()) / steps_per_row;
             while (stepper.time() < target) {
-                if (!stepper.step(target)) {
+                const bool is_last = target - stepper.time() < 1.001 * longest;
+                if (!stepper.step(is_last ? target : stepper.time() + longest)) {
                     return stop();
                 }
                 if (progress) {
@@ -314,8 +317,9 @@ SwirlHistory swirl_history(const SectionShape& shape, const laws::flow::AnyFlowL
             }
             const SectionMesh mesh = section_of(shape, lines);
             const SectionSpace space(mesh, Field::rotation, degree, degree + (yields ? 4 : 2));
-            Level level = run_level(space, scaled, settings, history, field_rows, progress,
-                                    fmt::format("swirl in time, level {}", number + 1));
+            // Two levels with the same steps do not see what those miss where the torque turns.
+            Level level = run_level(space, scaled, settings, history, 1 + number, field_rows,
+                                    progress, fmt::format("swirl in time, level {}", number + 1));
             result.newton_steps += level.solves;
             work = static_cast<double>(level.solves) * static_cast<double>(space.unknowns());
             if (!level.complete && number > 0) {
