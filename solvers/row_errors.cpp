@@ -32,6 +32,8 @@ std::vector<bool> rows_at_rest(std::span<const double> torque, double yield,
     return rest;
 }
 
+double error_at_rest(double torque, double yield) { return std::abs(torque) + yield; }
+
 std::vector<double> level_changes(std::span<const double> before, std::span<const double> after,
                                   const rheometry::SpeedHistory& history, double tolerance) {
     const std::size_t rows = std::min(before.size(), after.size());

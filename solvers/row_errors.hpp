@@ -20,6 +20,10 @@ namespace searle::solvers {
 [[nodiscard]] std::vector<bool> rows_at_rest(std::span<const double> torque, double yield,
                                              const rheometry::SpeedHistory& history);
 
+/// Error bar of a row at rest: from its torque, within +-yield, over all that a fluid at rest
+/// carries.
+[[nodiscard]] double error_at_rest(double torque, double yield);
+
 /// Change of each row's torque from one level of resolution to the next, or of a neighbour where
 /// that is more, relative to the torque: a row at which two levels happen to cross is not exact.
 /// Within one piece of the history, where the torque is smooth, a neighbour's absolute change

@@ -77,8 +77,10 @@ void keep_case(const fs::path& folder, const std::string& name, const Trial& tri
 
 void count(Tally& tally, const Trial& trial) {
     ++tally.count[trial.verdict];
-    tally.below_onset += trial.taylor_ratio <= 1.0 ? 1 : 0;
-    tally.right_below_onset += trial.taylor_ratio <= 1.0 && trial.verdict == Verdict::right ? 1 : 0;
+    if (trial.taylor_ratio <= 1.0) {
+        ++tally.below_onset;
+        tally.right_below_onset += trial.verdict == Verdict::right ? 1 : 0;
+    }
     tally.cpu += trial.cpu;
 }
 

@@ -57,7 +57,7 @@ void settle_rows_at_rest(const SectionShape& shape, const Scene& scene, double s
         }
         row.rests = true;
         row.torque = sign * yield;
-        row.torque_error = std::abs(row.torque) + yield;
+        row.torque_error = error_at_rest(row.torque, yield);
     }
 }
 

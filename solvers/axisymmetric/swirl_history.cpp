@@ -236,7 +236,7 @@ std::vector<double> set_errors(const std::vector<double>& before,
     }
     for (std::size_t k = 0; k < result.torque.size(); ++k) {
         if (result.rests[k]) {
-            result.error[k] = std::abs(result.torque[k]) + yield_torque;
+            result.error[k] = error_at_rest(result.torque[k], yield_torque);
         }
     }
     return change;

@@ -2,6 +2,7 @@
 
 #include "solvers/axisymmetric/newton_flux.hpp"
 #include "solvers/radial/esdirk.hpp"
+#include "solvers/steps_before_stop.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,9 +23,6 @@ constexpr double steady_decrement = 1e-13;
 constexpr double rounding_step = 0.1; ///< of the way from a Newtonian start to the law
 /// Fastest rate of a fluid at rest, over the law's rounding: no torque is left to tell.
 constexpr double rest_share = 1e-8;
-/// Before a stop steps halve what is left until it is this share of the drive's stretch: a step
-/// over the whole of it may be accepted by accident, on every level.
-constexpr double first_left_to_error = 1e-4;
 
 } // namespace
 
@@ -158,9 +156,8 @@ bool SwirlStepper::step(double limit) {
         std::abs(drive_.speed_at(limit)) <= 1e-12 * std::abs(drive_.acceleration) * stretch;
     for (;;) {
         const double left = limit - time_;
-        const double longest = stops && left > first_left_to_error * stretch
-                                   ? std::min(next_length_, 0.5 * left)
-                                   : next_length_;
+        const double longest =
+            stops ? longest_before_stop(left, stretch, next_length_) : next_length_;
         // Equal steps up to the limit rather than a short one at its end.
         const double count = std::max(1.0, std::ceil(left / longest * (1.0 - 1e-12)));
         const double length = left / count;

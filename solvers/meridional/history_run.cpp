@@ -1,5 +1,7 @@
 #include "solvers/meridional/history_run.hpp"
 
+#include "solvers/steps_before_stop.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,9 +18,6 @@ constexpr double least_scale_share = 0.1;
 /// the polynomial within a step misses by the same on every level. Not with an uneven rotor: what
 /// grows into vortices feels every change of the steps, and its levels part.
 constexpr int rows_met_around_bob = 8;
-/// Before a stop of a bob steps halve what is left until it is this share of the piece: a step over
-/// the whole of it may be accepted by accident, on every level.
-constexpr double first_left_to_error = 1e-4;
 /// Linear solves that a factorisation takes as long as, about.
 constexpr double factorisation_work = 30.0;
 constexpr double most_level_work = 6e7;
@@ -67,9 +66,9 @@ HistoryRun run_history(FlowLevel& level, const ScaledFluid& fluid, double refere
                                         ? std::min(end, rows[row] * reference_speed)
                                         : end;
             double limit = next_row > stepper.time() ? next_row : end;
-            const double left = end - stepper.time();
-            if (stops && limit == end && left > first_left_to_error * length * reference_speed) {
-                limit -= 0.5 * left;
+            if (stops && limit == end) {
+                const double left = end - stepper.time();
+                limit -= left - longest_before_stop(left, length * reference_speed, left);
             }
             const bool taken = stepper.step(limit, least_scale_share * next_speed);
             run.steps = stepper.steps();

@@ -3,6 +3,7 @@
 #include "solvers/radial/annular_gap.hpp"
 #include "solvers/radial/esdirk.hpp"
 #include "solvers/radial/gap_system.hpp"
+#include "solvers/steps_before_stop.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +22,6 @@ constexpr double sliver = 1e-10;
 /// The same where a yield-stress fluid comes to rest: its torque is that of the yield stress by
 /// then, and the smallest steps show rounding alone.
 constexpr double sliver_at_rest = 1e-6;
-/// Before a stop steps halve what is left until it is this share of the longest; then their error
-/// alone decides.
-constexpr double first_left_to_error = 1e-4;
 /// Of the one small step after a jump, whose momentum is a tiny share of what the next row sees.
 constexpr double jump_tolerance = 1e-3;
 
@@ -220,10 +218,7 @@ private:
                 }
                 break;
             }
-            // A step over the whole of a stop may be accepted by accident.
-            const double most = stops && left > first_left_to_error * longest
-                                    ? std::min(longest, 0.5 * left)
-                                    : longest;
+            const double most = stops ? longest_before_stop(left, longest, longest) : longest;
             // Equal steps up to the target rather than a short one at its end.
             const double steps_left = std::ceil(left / std::min(step_, most) * (1.0 - 1e-12));
             const double step =

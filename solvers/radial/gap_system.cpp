@@ -42,6 +42,13 @@ void scale(double factor, FluxField& field) {
     }
 }
 
+/// A steady share, and one that grows with `growth` times stiffness over compliance.
+double rounding_of(double growth, double stiffness, double compliance, std::size_t elements) {
+    const double ratio = compliance > 0.0 ? stiffness / compliance : 0.0;
+    return std::numeric_limits<double>::epsilon() *
+           (8.0 + growth * ratio * static_cast<double>(elements));
+}
+
 } // namespace
 
 double FluxField::largest() const {
@@ -297,17 +304,6 @@ StageOutcome GapSystem<Law>::solve(const VelocityField& start, double theta,
     added_compliance_ = 0.0;
     return outcome;
 }
-
-namespace {
-
-/// A steady share, and one that grows with `growth` times stiffness over compliance.
-double rounding_of(double growth, double stiffness, double compliance, std::size_t elements) {
-    const double ratio = compliance > 0.0 ? stiffness / compliance : 0.0;
-    return std::numeric_limits<double>::epsilon() *
-           (8.0 + growth * ratio * static_cast<double>(elements));
-}
-
-} // namespace
 
 template <class Law>
 double GapSystem<Law>::rounding() const {

@@ -5,6 +5,7 @@
 #include "solvers/radial/gap_fields.hpp"
 #include "solvers/radial/rotor_gaps.hpp"
 #include "solvers/radial/transient_levels.hpp"
+#include "solvers/row_errors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +57,7 @@ RadialReport without_inertia(const Scene& scene, const Plan& plan, double factor
             row.rests = row.speed == 0.0 && yield > 0.0;
             if (row.rests) {
                 row.torque = last_sign * yield;
-                row.torque_error = std::abs(row.torque) + yield;
+                row.torque_error = error_at_rest(row.torque, yield);
             } else if (inertia_skipped) {
                 row.torque_error += inertia_margin * plan.rows[k].lag_share *
                                     std::max(std::abs(row.torque), std::abs(last_torque));

@@ -313,7 +313,7 @@ TransientTorque solve_levels(std::span<const RotorGap> gaps, const laws::flow::A
             double worst_rounding = 0.0;
             for (std::size_t k = 0; k < scale.size(); ++k) {
                 if (result.rests[k]) {
-                    result.error[k] = std::abs(result.torque[k]) + yield;
+                    result.error[k] = error_at_rest(result.torque[k], yield);
                     continue;
                 }
                 const double before = k < earlier.size() ? earlier_share * earlier[k] : 0.0;
