@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace searle::solvers::meridional {
 namespace {
@@ -14,6 +15,13 @@ namespace {
 constexpr double shift = 0.3;
 /// An eigenvalue counts when its residual is below this.
 constexpr double believed = 1e-4;
+/// The leading one is looked for after so many vectors, and believed when as many again brought no
+/// other.
+constexpr int first_look = 24;
+constexpr int vectors_between_looks = 8;
+/// A vector that keeps less than this share of its length is made orthogonal once more; twice is
+/// enough (Daniel, Gragg, Kaufman and Stewart 1976, Math. Comput. 30, 772).
+constexpr double enough_left = 0.7;
 
 /// A start that has a part in every disturbance; the same in every run.
 Eigen::MatrixX3d arbitrary_velocity(const FlowSpace& space) {
@@ -28,15 +36,34 @@ Eigen::MatrixX3d arbitrary_velocity(const FlowSpace& space) {
     return velocity;
 }
 
+constexpr LeadingDisturbance nothing_found{.rate = {-std::numeric_limits<double>::infinity(), 0.0},
+                                           .residual = 1.0};
+
+/// @param hessenberg  of Arnoldi's method, (used + 1, used) or larger
+LeadingDisturbance leading_of(const Eigen::MatrixXd& hessenberg, int used) {
+    LeadingDisturbance leading = nothing_found;
+    const Eigen::EigenSolver<Eigen::MatrixXd> solver(hessenberg.topLeftCorner(used, used));
+    const double beyond = hessenberg(used, used - 1);
+    for (int k = 0; k < used; ++k) {
+        const std::complex<double> inverse = solver.eigenvalues()[k];
+        const Eigen::VectorXcd vector = solver.eigenvectors().col(k);
+        const double residual =
+            beyond * std::abs(vector[used - 1]) / vector.norm() / std::abs(inverse);
+        const std::complex<double> rate = shift - 1.0 / inverse;
+        if (residual < believed && rate.real() > leading.rate.real()) {
+            leading = {{rate.real(), std::abs(rate.imag())}, residual};
+        }
+    }
+    return leading;
+}
+
 } // namespace
 
 LeadingDisturbance leading_disturbance(FlowLevel& level, const FlowMaterial& material,
                                        int vectors) {
-    LeadingDisturbance leading{.rate = {-std::numeric_limits<double>::infinity(), 0.0},
-                               .residual = 1.0};
     FlowSystem& system = level.system();
     if (!system.factorise(level.state(), material, shift)) {
-        return leading;
+        return nothing_found;
     }
     const FlowSpace& space = level.space();
     FlowResidual load{.momentum = {},
@@ -51,34 +78,29 @@ LeadingDisturbance leading_disturbance(FlowLevel& level, const FlowMaterial& mat
     Eigen::MatrixXd hessenberg = Eigen::MatrixXd::Zero(vectors + 1, vectors);
     const Eigen::MatrixX3d start = apply(arbitrary_velocity(space));
     basis.col(0) = start.reshaped() / start.norm();
-    int used = vectors;
+    LeadingDisturbance leading = nothing_found;
     for (int k = 0; k < vectors; ++k) {
         Eigen::VectorXd next = apply(basis.col(k).reshaped(space.nodes(), 3)).reshaped();
-        // Twice is enough for orthogonality to rounding.
-        for (int pass = 0; pass < 2; ++pass) {
+        double length = next.norm();
+        for (double before = std::numeric_limits<double>::infinity();
+             length < enough_left * before;) {
             const Eigen::VectorXd along = basis.leftCols(k + 1).transpose() * next;
             next.noalias() -= basis.leftCols(k + 1) * along;
             hessenberg.col(k).head(k + 1) += along;
+            before = std::exchange(length, next.norm());
         }
-        const double length = next.norm();
         hessenberg(k + 1, k) = length;
-        if (length < 1e-13) {
-            used = k + 1;
-            break;
+        const int used = k + 1;
+        const bool is_last = used == vectors || length < 1e-13;
+        if (is_last || (used >= first_look && (used - first_look) % vectors_between_looks == 0)) {
+            const LeadingDisturbance found = leading_of(hessenberg, used);
+            const bool same = std::abs(found.rate - leading.rate) <= believed;
+            leading = found;
+            if (is_last || same) {
+                break;
+            }
         }
         basis.col(k + 1) = next / length;
-    }
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(hessenberg.topLeftCorner(used, used));
-    const double beyond = hessenberg(used, used - 1);
-    for (int k = 0; k < used; ++k) {
-        const std::complex<double> inverse = solver.eigenvalues()[k];
-        const Eigen::VectorXcd vector = solver.eigenvectors().col(k);
-        const double residual =
-            beyond * std::abs(vector[used - 1]) / vector.norm() / std::abs(inverse);
-        const std::complex<double> rate = shift - 1.0 / inverse;
-        if (residual < believed && rate.real() > leading.rate.real()) {
-            leading = {{rate.real(), std::abs(rate.imag())}, residual};
-        }
     }
     return leading;
 }

@@ -17,7 +17,8 @@ struct LeadingDisturbance {
 /// The eigenvalue with the largest real part among those next to a positive shift, by Arnoldi's
 /// method on the inverse of (derivative + shift x mass).
 /// @param level   its state is the steady flow of `material`; its factors are replaced
-/// @param vectors of the Krylov space
+/// @param vectors  of the Krylov space at most; fewer where further ones bring nothing
+/// @return a rate of -infinity where no eigenvalue converged
 [[nodiscard]] LeadingDisturbance leading_disturbance(FlowLevel& level, const FlowMaterial& material,
                                                      int vectors = 50);
 

@@ -1,19 +1,17 @@
 #include "solvers/meridional/flow_system.hpp"
 
 #include "solvers/meridional/element_jacobian.hpp"
+#include "solvers/meridional/multifrontal_lu.hpp"
 #include "solvers/meridional/point_flow.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/SparseCore>
-#include <Eigen/UmfPackSupport>
 
-#include <algorithm>
+#include <utility>
 
 namespace searle::solvers::meridional {
 namespace {
 
 using Index = Eigen::Index;
-using Sparse = Eigen::SparseMatrix<double>;
 
 Eigen::MatrixX3d local_velocity(const FlowSpace::Element& element,
                                 const Eigen::MatrixX3d& velocity) {
@@ -27,7 +25,7 @@ Eigen::MatrixX3d local_velocity(const FlowSpace::Element& element,
 } // namespace
 
 /// An element's equations: what is inside (velocities, and pressure but for its mean) is eliminated
-/// there; the velocities on outlines and one mean pressure an element make the global matrix.
+/// there; the velocities on outlines and one mean pressure an element remain for all together.
 struct FlowSystem::Factors {
     struct Condensed {
         Eigen::PartialPivLU<Eigen::MatrixXd> inside;
@@ -35,56 +33,41 @@ struct FlowSystem::Factors {
         Eigen::MatrixXd from_inside; ///< (outline, inside)
     };
     std::vector<Condensed> elements;
-    std::vector<std::vector<int>> unknown; ///< of each element's outline, -1 where prescribed
-    std::vector<std::vector<int>> place;   ///< of the outline's entries in the matrix, -1 for none
-    Sparse matrix;
-    Eigen::UmfPackLU<Sparse> global;
-    bool analysed{};
+    /// Of each element's outline, component by component, then its mean pressure; the pressure is
+    /// known up to a constant: the first element's mean is zero.
+    std::vector<ElementUnknowns> outlines;
+    int size; ///< number of unknowns
+    MultifrontalLu global;
 
-    explicit Factors(const FlowSpace& space);
+    explicit Factors(const FlowSpace& space)
+        : elements(space.elements().size()), outlines(outlines_of(space)),
+          size(space.outline_unknowns() + static_cast<int>(elements.size()) - 1),
+          global(outlines, size) {}
+
+private:
+    static std::vector<ElementUnknowns> outlines_of(const FlowSpace& space);
 };
 
-FlowSystem::Factors::Factors(const FlowSpace& space) : elements(space.elements().size()) {
-    const auto outline = static_cast<std::size_t>(space.outline_nodes());
-    // The pressure is known up to a constant: the first element's mean is zero.
-    const int size = space.outline_unknowns() + static_cast<int>(elements.size()) - 1;
-    std::vector<Eigen::Triplet<double>> entries;
-    for (std::size_t e = 0; e < elements.size(); ++e) {
-        std::vector<int> of_element;
+std::vector<ElementUnknowns> FlowSystem::Factors::outlines_of(const FlowSpace& space) {
+    std::vector<ElementUnknowns> outlines;
+    int mean_pressure = -1;
+    for (std::size_t e = 0; e < space.elements().size(); ++e) {
+        ElementUnknowns outline{.unknown = {},
+                                .multiplier = mean_pressure,
+                                .radius = space.elements()[e].radius.mean(),
+                                .height = space.swirl_space().elements()[e].height.mean()};
         for (std::size_t c = 0; c < components; ++c) {
-            for (std::size_t k = 0; k < outline; ++k) {
-                of_element.push_back(
-                    space.outline_unknown(static_cast<Component>(c), space.elements()[e].node[k]));
+            for (int k = 0; k < space.outline_nodes(); ++k) {
+                outline.unknown.push_back(
+                    space.outline_unknown(static_cast<Component>(c),
+                                          space.elements()[e].node[static_cast<std::size_t>(k)]));
             }
         }
-        of_element.push_back(e == 0 ? -1 : space.outline_unknowns() + static_cast<int>(e) - 1);
-        for (const int column : of_element) {
-            for (const int row : of_element) {
-                if (row >= 0 && column >= 0) {
-                    entries.emplace_back(row, column, 0.0);
-                }
-            }
-        }
-        unknown.push_back(std::move(of_element));
+        outline.unknown.push_back(mean_pressure);
+        mean_pressure = space.outline_unknowns() + static_cast<int>(e);
+        outlines.push_back(std::move(outline));
     }
-    matrix.resize(size, size);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    for (const auto& of_element : unknown) {
-        std::vector<int> places;
-        for (const int column : of_element) {
-            for (const int row : of_element) {
-                if (row < 0 || column < 0) {
-                    places.push_back(-1);
-                    continue;
-                }
-                const int* first = matrix.innerIndexPtr() + matrix.outerIndexPtr()[column];
-                const int* last = matrix.innerIndexPtr() + matrix.outerIndexPtr()[column + 1];
-                places.push_back(
-                    static_cast<int>(std::lower_bound(first, last, row) - matrix.innerIndexPtr()));
-            }
-        }
-        place.push_back(std::move(places));
-    }
+    return outlines;
 }
 
 FlowSystem::FlowSystem(const FlowSpace& space) : space_(space) {
@@ -160,12 +143,10 @@ bool FlowSystem::factorise(const FlowState& at, const FlowMaterial& material, do
     const Index functions = space_.pressure_values().cols();
     const Index outer_size = 3 * outline + 1;
     const Index inner_size = 3 * inner + functions - 1;
-    std::fill_n(factors.matrix.valuePtr(), factors.matrix.nonZeros(), 0.0);
     ElementJacobian jacobian(stacked_.front().rows() / 3, locals);
-    Eigen::MatrixXd outside(outer_size, outer_size);
     Eigen::MatrixXd inside(inner_size, inner_size);
     Eigen::MatrixXd in_out(inner_size, outer_size);
-    for (std::size_t e = 0; e < space_.elements().size(); ++e) {
+    const auto condense = [&](std::size_t e, Eigen::MatrixXd& outside) {
         const FlowSpace::Element& element = space_.elements()[e];
         const PointFlow flow(stacked_[e], local_velocity(element, at.velocity), element.radius,
                              material.law);
@@ -173,7 +154,7 @@ bool FlowSystem::factorise(const FlowState& at, const FlowMaterial& material, do
             jacobian.of(stacked_[e], element.weight, flow, material.reynolds, mass_rate);
         Factors::Condensed& condensed = factors.elements[e];
         condensed.from_inside.resize(outer_size, inner_size);
-        outside.setZero();
+        outside.setZero(outer_size, outer_size);
         inside.setZero();
         in_out.setZero();
         condensed.from_inside.setZero();
@@ -208,24 +189,9 @@ bool FlowSystem::factorise(const FlowState& at, const FlowMaterial& material, do
         condensed.inside.compute(inside);
         condensed.to_inside = condensed.inside.solve(in_out);
         outside.noalias() -= condensed.from_inside * condensed.to_inside;
-        const std::vector<int>& place = factors.place[e];
-        for (std::size_t k = 0; k < place.size(); ++k) {
-            if (place[k] >= 0) {
-                factors.matrix.valuePtr()[place[k]] += outside.data()[k];
-            }
-        }
-    }
+    };
     ++factorisations_;
-    if (!factors.analysed) {
-        // The residual is known, so Newton's method does what refinement of the solve would.
-        factors.global.umfpackControl()(UMFPACK_IRSTEP) = 0.0;
-        // Nested dissection: half the operations of minimum degree on these sections.
-        factors.global.umfpackControl()(UMFPACK_ORDERING) = UMFPACK_ORDERING_METIS;
-        factors.global.analyzePattern(factors.matrix);
-        factors.analysed = true;
-    }
-    factors.global.factorize(factors.matrix);
-    return factors.global.info() == Eigen::Success;
+    return factors.global.factorise(condense);
 }
 
 FlowState FlowSystem::newton_change(const FlowResidual& residual) const {
@@ -235,7 +201,7 @@ FlowState FlowSystem::newton_change(const FlowResidual& residual) const {
     const Index inner = locals - outline;
     const Index functions = space_.pressure_values().cols();
     const Index inner_size = 3 * inner + functions - 1;
-    Eigen::VectorXd load(factors.matrix.rows());
+    Eigen::VectorXd load(factors.size);
     for (std::size_t c = 0; c < components; ++c) {
         for (int node = 0; node < space_.nodes(); ++node) {
             const int unknown = space_.outline_unknown(static_cast<Component>(c), node);
@@ -264,7 +230,7 @@ FlowState FlowSystem::newton_change(const FlowResidual& residual) const {
             -residual.continuity.col(static_cast<Index>(e)).tail(functions - 1);
         inside[e] = factors.elements[e].inside.solve(own);
         const Eigen::VectorXd passed = factors.elements[e].from_inside * inside[e];
-        const std::vector<int>& unknown = factors.unknown[e];
+        const std::vector<int>& unknown = factors.outlines[e].unknown;
         for (std::size_t k = 0; k < unknown.size(); ++k) {
             if (unknown[k] >= 0) {
                 load[unknown[k]] -= passed[static_cast<Index>(k)];
@@ -275,7 +241,7 @@ FlowState FlowSystem::newton_change(const FlowResidual& residual) const {
 
     FlowState change = rest(space_);
     for (std::size_t e = 0; e < elements.size(); ++e) {
-        const std::vector<int>& unknown = factors.unknown[e];
+        const std::vector<int>& unknown = factors.outlines[e].unknown;
         Eigen::VectorXd outer = Eigen::VectorXd::Zero(static_cast<Index>(unknown.size()));
         for (std::size_t k = 0; k < unknown.size(); ++k) {
             if (unknown[k] >= 0) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -15,7 +14,7 @@ namespace {
 constexpr std::size_t most_direct = 6;
 constexpr int first_degree = 4;
 constexpr int last_degree = 32;
-/// Of the accuracy: what each solution and what interpolation may miss where both count.
+/// Of the accuracy: what each solution and what interpolation may miss where there is any.
 constexpr double solution_share = 0.5;
 constexpr double interpolation_share = 0.3;
 /// Work after which further speeds get a tenth of what one may take.
@@ -31,37 +30,40 @@ double attainable(double accuracy, const laws::flow::AnyFlowLaw& law) {
     return std::max(accuracy, std::holds_alternative<laws::flow::Newtonian>(law) ? 1e-8 : 1e-6);
 }
 
-} // namespace
-
-InertiaFactorCurve::InertiaFactorCurve(const geometry::DinBob& bob,
-                                       const laws::flow::AnyFlowLaw& law, double density,
-                                       std::span<const double> speeds, double accuracy,
-                                       const ProgressSink& progress)
-    : flow_(bob, law, density, solution_share * attainable(accuracy, law)) {
-    try {
-        solve_all(speeds, attainable(accuracy, law), progress);
-    } catch (const Interrupted&) {
-        interrupted_ = true;
-    }
-}
-
-void InertiaFactorCurve::solve_all(std::span<const double> speeds, double accuracy,
-                                   const ProgressSink& progress) {
+std::set<double> magnitudes(std::span<const double> speeds) {
     std::set<double> distinct;
     for (const double speed : speeds) {
         if (speed != 0.0) {
             distinct.insert(std::abs(speed));
         }
     }
-    if (distinct.size() <= most_direct) {
-        for (const double speed : distinct) {
+    return distinct;
+}
+
+} // namespace
+
+InertiaFactorCurve::InertiaFactorCurve(const geometry::DinBob& bob,
+                                       const laws::flow::AnyFlowLaw& law, double density,
+                                       std::span<const double> speeds, double accuracy,
+                                       const ProgressSink& progress)
+    : distinct_(magnitudes(speeds)), interpolates_(distinct_.size() > most_direct),
+      flow_(bob, law, density, (interpolates_ ? solution_share : 1.0) * attainable(accuracy, law)) {
+    try {
+        solve_all(attainable(accuracy, law), progress);
+    } catch (const Interrupted&) {
+        interrupted_ = true;
+    }
+}
+
+void InertiaFactorCurve::solve_all(double accuracy, const ProgressSink& progress) {
+    if (!interpolates_) {
+        for (const double speed : distinct_) {
             solve(speed, progress);
         }
         return;
     }
-    interpolates_ = true;
-    const double low = std::log(*distinct.begin());
-    const double high = std::log(*distinct.rbegin());
+    const double low = std::log(*distinct_.begin());
+    const double high = std::log(*distinct_.rbegin());
     const auto point = [&](int k, int degree) { return chebyshev_speed(low, high, k, degree); };
     for (int k = 0; k <= first_degree; ++k) {
         solve(point(k, first_degree), progress);

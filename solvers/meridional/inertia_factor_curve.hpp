@@ -6,6 +6,7 @@
 #include <complex>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 
 namespace searle::solvers::meridional {
@@ -44,14 +45,15 @@ public:
     [[nodiscard]] std::optional<std::complex<double>> disturbance_rate(double speed);
 
 private:
-    void solve_all(std::span<const double> speeds, double accuracy, const ProgressSink& progress);
+    void solve_all(double accuracy, const ProgressSink& progress);
     void solve(double speed, const ProgressSink& progress);
     [[nodiscard]] InertiaFactor solve_within_bounds(double speed, const ProgressSink& progress);
     [[nodiscard]] double interpolated(double speed) const;
 
+    std::set<double> distinct_; ///< magnitudes of the speeds, without 0
+    bool interpolates_;
     SteadySecondaryFlow flow_;
     std::map<double, InertiaFactor> solved_;
-    bool interpolates_{};
     bool interrupted_{};
     double interpolation_error_{};
     int levels_{};

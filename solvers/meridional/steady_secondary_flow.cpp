@@ -140,16 +140,29 @@ bool SteadySecondaryFlow::follow(std::size_t index, double from, double to) {
     double at = from;
     double stride = longest_stride;
     const double shortest = index + 1 < resolutions.size() ? shortest_with_finer : shortest_stride;
+    FlowState slower; // the flow before the present one, `back` times as fast
+    double back = 0.0;
     while (at != to) {
         const double next = std::abs(std::log(to / at)) <= std::log(stride) ? to
                             : to > at                                       ? at * stride
                                                                             : at / stride;
         const double tolerance = next == to ? newton_share * accuracy_ : path_tolerance;
         const ScaledFluid fluid = fluid_at(next, index);
+        const FlowState here = flow.state();
+        if (back != 0.0) {
+            FlowState ahead = here;
+            const double share = std::log(next / at) / std::log(back);
+            add(ahead, here, -share);
+            add(ahead, slower, share);
+            flow.set_state(std::move(ahead));
+        }
         if (solve_steady(flow, fluid.material(), tolerance)) {
+            slower = here;
+            back = at / next;
             at = next;
             continue;
         }
+        flow.set_state(here);
         stride = std::sqrt(std::min(stride, std::max(next / at, at / next)));
         if (stride < shortest) {
             stuck_at_ = at;
