@@ -45,6 +45,13 @@ bool is_strip(const SectionFields& section) {
         [&](const fields::SectionPoint& point) { return point.z == low || point.z == high; });
 }
 
+/// A piece of an endless gap in which the flow varies along it: one vortex of a row of them.
+bool is_cell(const SectionFields& section) {
+    return std::ranges::any_of(section.outline, [](const fields::OutlineEdge& edge) {
+        return edge.kind == fields::OutlineKind::open_end;
+    });
+}
+
 /// A field along the gaps' lower ends, over the distance from the axis.
 Series across(const SectionFields& section, std::string_view field, int component,
               const RichText& label, int colour) {
@@ -170,7 +177,8 @@ Figure section_figure(const SectionFields& section, const ReportInput& input) {
     };
     add(picture, "rate of shear on the section");
     std::string caption = "Rate of shear at " + escaped(row_text(section, input.transient, true)) +
-                          ", logarithmic colours: (a) the whole section";
+                          ", logarithmic colours: (a) " +
+                          (is_cell(section) ? "half a wavelength of the gap" : "the whole section");
     if (const auto window = lower_end(section)) {
         picture.window = window;
         add(picture, "rate of shear at the lower end");
@@ -181,10 +189,11 @@ Figure section_figure(const SectionFields& section, const ReportInput& input) {
         picture.lines.push_back({.field = std::string{name::stream_function},
                                  .levels = even_levels(section, name::stream_function, streamlines),
                                  .css_class = "streamline",
-                                 .dashes_negative = true});
+                                 .dashes_negative = !is_cell(section)});
         add(picture, "streamlines of the secondary flow");
         caption += std::string{", ("} + static_cast<char>('a' + figure.panels.size() - 1) +
-                   ") streamlines of the secondary flow (dashed: the other sense)";
+                   ") streamlines of the " +
+                   (is_cell(section) ? "vortex" : "secondary flow (dashed: the other sense)");
     }
     caption += ". The rotor's wall is orange.";
     if (yields) {
@@ -208,11 +217,12 @@ std::vector<Figure> field_figures(const ReportInput& input) {
     if (pictured.empty()) {
         return figures;
     }
-    if (is_strip(*pictured.front())) {
-        figures.push_back(strip_figure(pictured, input));
-        return figures;
+    const auto sections = std::ranges::stable_partition(
+        pictured, [](const SectionFields* each) { return is_strip(*each); });
+    if (const std::vector strips(pictured.begin(), sections.begin()); !strips.empty()) {
+        figures.push_back(strip_figure(strips, input));
     }
-    for (const SectionFields* section : pictured) {
+    for (const SectionFields* section : sections) {
         figures.push_back(section_figure(*section, input));
     }
     return figures;

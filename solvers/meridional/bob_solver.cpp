@@ -2,9 +2,8 @@
 
 #include "rheometry/schedule.hpp"
 #include "solvers/axisymmetric/section_shape.hpp"
-#include "solvers/axisymmetric/swirl_fields.hpp"
+#include "solvers/meridional/flow_fields.hpp"
 #include "solvers/meridional/inertia_factor_curve.hpp"
-#include "solvers/meridional/stream_function.hpp"
 #include "solvers/meridional/transient_secondary_flow.hpp"
 #include "solvers/radial/annular_gap.hpp"
 #include "solvers/row_errors.hpp"
@@ -115,25 +114,11 @@ void add_secondary_fields(const Scene& scene, InertiaFactorCurve& curve, Axisymm
         if (found == nullptr) {
             continue;
         }
-        const FlowLevel& level = *found;
-        const Eigen::MatrixX3d& velocity = level.state().velocity;
-        const Eigen::VectorXd u = velocity.col(static_cast<Eigen::Index>(Component::radial));
-        const Eigen::VectorXd w = velocity.col(static_cast<Eigen::Index>(Component::axial));
-        const Eigen::VectorXd spin = velocity.col(static_cast<Eigen::Index>(Component::rotation));
-        const Eigen::VectorXd stream = stream_function(level.space(), level.state());
         const double wall_rate =
             radial::steady_gap_flow({bob.bob_radius, bob.cup_radius}, scene.fluid.law, speed)
                 .inner_wall_rate;
-        auto whole = axisymmetric::swirl_fields({.mesh = level.mesh(),
-                                                 .length = bob.bob_radius,
-                                                 .degree = level.space().degree(),
-                                                 .rotation = spin,
-                                                 .speed = section.speed,
-                                                 .rate_scale = wall_rate,
-                                                 .radial = &u,
-                                                 .axial = &w,
-                                                 .stream_function = &stream},
-                                                scene.fluid.law);
+        auto whole = flow_fields(*found, found->state().velocity,
+                                 {bob.bob_radius, section.speed, wall_rate}, scene.fluid.law);
         whole.row = section.row;
         whole.time = section.time;
         section = std::move(whole);
@@ -223,10 +208,11 @@ void apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& rep
 void run_in_time(const Scene& scene, const rheometry::SpeedHistory& history,
                  AxisymmetricReport& report, const ProgressSink& progress) {
     radial::RadialReport& solution = report.solution;
-    const TransientTorque run =
-        transient_secondary_flow(bob_of(scene), scene.fluid.law, scene.fluid.density, history,
-                                 scene.solver.accuracy, progress);
+    const TransientTorque run = transient_secondary_flow(
+        bob_of(scene), scene.fluid.law, scene.fluid.density, history, scene.solver.accuracy,
+        radial::rows_with_fields(scene.output, history.row_times.size()), progress);
     fill_from_run(run.torque, run.error, report);
+    solution.fields = run.fields;
     solution.refinements = run.levels;
     solution.elements = run.elements;
     solution.time_steps = run.time_steps;
@@ -299,10 +285,6 @@ AxisymmetricReport solve_bob(const Scene& scene, const Plan& plan, const Progres
     if (report.solution.interrupted) {
         report.solution.reached = false;
         return report;
-    }
-    if (in_time && !report.solution.fields.empty()) {
-        report.solution.notes.emplace_back(
-            "The fields and their pictures show the swirl without the secondary flow.");
     }
     if (in_time) {
         run_in_time(scene, *history, report, progress);

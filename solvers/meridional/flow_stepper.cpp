@@ -233,15 +233,23 @@ bool FlowStepper::step(double limit, double least_scale) {
     }
 }
 
+Eigen::MatrixX3d FlowStepper::velocity_at(double time) const {
+    const double length = time_ - time_before_;
+    const double x = length > 0.0 ? (time - time_before_) / length : 1.0;
+    const double y = 1.0 - x;
+    // Cubic Hermite polynomials.
+    return y * y * (1.0 + 2.0 * x) * state_before_.velocity +
+           x * x * (3.0 - 2.0 * x) * state_.velocity +
+           length * x * y * (y * rate_before_ - x * rate_);
+}
+
 double FlowStepper::torque_at(double time) const {
     const double length = time_ - time_before_;
     const double x = length > 0.0 ? (time - time_before_) / length : 1.0;
     const double y = 1.0 - x;
-    // Cubic Hermite polynomials and their slopes.
     FlowState between = state_;
-    between.velocity = y * y * (1.0 + 2.0 * x) * state_before_.velocity +
-                       x * x * (3.0 - 2.0 * x) * state_.velocity +
-                       length * x * y * (y * rate_before_ - x * rate_);
+    between.velocity = velocity_at(time);
+    // The slopes of velocity_at.
     Eigen::MatrixX3d rate = rate_;
     if (length > 0.0) {
         rate = 6.0 * x * y / length * (state_.velocity - state_before_.velocity) +

@@ -55,8 +55,10 @@ public:
     [[nodiscard]] double time() const { return time_; }
     [[nodiscard]] double last_step() const { return time_ - time_before_; }
     [[nodiscard]] const FlowState& state() const { return state_; }
+    /// Velocity at a time within the last step, by cubic polynomials.
+    [[nodiscard]] Eigen::MatrixX3d velocity_at(double time) const;
     /// Torque by the rotor on the fluid over 2 pi stress scale radius^3, at a time within the last
-    /// step: from the state and its rate of change, interpolated by cubic polynomials.
+    /// step: from the velocity and its rate of change there.
     [[nodiscard]] double torque_at(double time) const;
 
     [[nodiscard]] long steps() const { return steps_; }

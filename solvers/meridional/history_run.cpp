@@ -29,8 +29,8 @@ constexpr double level_growth = 4.0;
 bool may_follow(const HistoryRun& before) { return level_growth * before.work <= most_level_work; }
 
 HistoryRun run_history(FlowLevel& level, const ScaledFluid& fluid, double reference_speed,
-                       const rheometry::SpeedHistory& history, double tolerance,
-                       const ProgressSink& progress, const Eigen::VectorXd& rotor_profile) {
+                       const rheometry::SpeedHistory& history, const RunSettings& settings,
+                       const ProgressSink& progress) {
     HistoryRun run;
     const double duration = history.duration();
     const std::vector<double>& rows = history.row_times;
@@ -43,13 +43,20 @@ HistoryRun run_history(FlowLevel& level, const ScaledFluid& fluid, double refere
         }
     };
     FlowStepper stepper(level.system(), fluid.material(), level.state(),
-                        {.tolerance = tolerance,
+                        {.tolerance = settings.tolerance,
                          .first_step = first_share * first_row * reference_speed,
                          .shortest_step = shortest_share * duration * reference_speed,
-                         .rotor_profile = rotor_profile,
+                         .rotor_profile = settings.rotor_profile,
                          .at_each_try = at_each_try});
-    const int rows_met = rotor_profile.size() == 0 ? rows_met_around_bob : 0;
+    const int rows_met = settings.rotor_profile.size() == 0 ? rows_met_around_bob : 0;
     std::size_t row = 0;
+    const auto take_row = [&](double time) {
+        run.torque.push_back(stepper.torque_at(time));
+        ++row;
+        if (std::ranges::binary_search(settings.field_rows, row)) {
+            run.kept.push_back({row, stepper.velocity_at(time)});
+        }
+    };
     for (const auto& piece : history.pieces) {
         const double length = piece.end_time - piece.start_time;
         stepper.begin({.start_time = piece.start_time * reference_speed,
@@ -84,16 +91,15 @@ HistoryRun run_history(FlowLevel& level, const ScaledFluid& fluid, double refere
                 return run;
             }
             while (row < rows.size() && rows[row] * reference_speed <= stepper.time()) {
-                run.torque.push_back(stepper.torque_at(rows[row] * reference_speed));
-                ++row;
+                take_row(rows[row] * reference_speed);
                 ++rows_of_piece;
             }
             fraction = run.end_time / duration;
         }
     }
     // Rounding of the last row's time must not lose it.
-    for (; row < rows.size(); ++row) {
-        run.torque.push_back(stepper.torque_at(stepper.time()));
+    while (row < rows.size()) {
+        take_row(stepper.time());
     }
     run.end_time = duration;
     level.set_state(stepper.state());

@@ -1,11 +1,14 @@
 #pragma once
 
 #include "rheometry/speed_history.hpp"
+#include "solvers/meridional/flow_fields.hpp"
 #include "solvers/meridional/flow_level.hpp"
 #include "solvers/meridional/flow_material.hpp"
 #include "solvers/meridional/flow_stepper.hpp"
 #include "solvers/progress.hpp"
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace searle::solvers::meridional {
@@ -21,7 +24,15 @@ struct HistoryRun {
     /// Unknowns times (linear solves and what factorisations take of their time): about 0.6
     /// microseconds each.
     double work{};
-    bool too_dear{}; ///< it ended because it took more work than a level may
+    bool too_dear{};               ///< it ended because it took more work than a level may
+    std::vector<RowVelocity> kept; ///< of the rows asked for, as far as they were reached
+};
+
+/// How a level is run.
+struct RunSettings {
+    double tolerance{}; ///< of the velocity's error in one step, over the largest velocity
+    std::span<const std::size_t> field_rows; ///< rows whose flow is kept, from 1, increasing
+    Eigen::VectorXd rotor_profile{};         ///< see StepperSettings
 };
 
 /// Ends where it is when it takes more work than a level may.
@@ -29,13 +40,10 @@ struct HistoryRun {
 ///                   the one at end_time
 /// @param fluid      at the reference speed
 /// @param reference_speed  rad/s, > 0
-/// @param tolerance  of the velocity's error in one step, over the largest velocity
-/// @param rotor_profile  see StepperSettings
 /// May throw Interrupted.
 [[nodiscard]] HistoryRun run_history(FlowLevel& level, const ScaledFluid& fluid,
                                      double reference_speed, const rheometry::SpeedHistory& history,
-                                     double tolerance, const ProgressSink& progress,
-                                     const Eigen::VectorXd& rotor_profile = {});
+                                     const RunSettings& settings, const ProgressSink& progress);
 
 /// Whether the next level may be expected to take no more work than a level may, about half a
 /// minute.

@@ -110,6 +110,7 @@ bool SteadyVortices::even_out(Level& here, double speed, double accuracy) {
 InertiaFactor SteadyVortices::at(double speed, double accuracy, const ProgressSink& progress) {
     InertiaFactor result;
     double before = 0.0;
+    flow_ = nullptr;
     const ScaledFluid fluid = fluid_at(speed);
     for (std::size_t index = first_level_; index < resolutions.size(); ++index) {
         if (progress) {
@@ -141,6 +142,7 @@ InertiaFactor SteadyVortices::at(double speed, double accuracy, const ProgressSi
             flow.set_state(vortices);
         }
         ++result.levels;
+        flow_ = &flow;
         result.factor = factor;
         result.unknowns = flow.space().unknowns();
         result.relative_error = std::abs(factor - before) / factor;

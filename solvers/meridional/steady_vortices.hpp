@@ -30,6 +30,9 @@ public:
     [[nodiscard]] InertiaFactor at(double speed, double accuracy,
                                    const ProgressSink& progress = {});
 
+    /// The flow that the last at() found, over the speed; null where it found none.
+    [[nodiscard]] const FlowLevel* flow() const { return flow_; }
+
     [[nodiscard]] long factorisations() const;
 
 private:
@@ -51,6 +54,7 @@ private:
     double density_;
     std::optional<double> start_speed_; ///< of the way, rad/s, once known; the same on all levels
     std::vector<Level> levels_;
+    const FlowLevel* flow_{};
     std::size_t first_level_{}; ///< the coarsest one that holds the flow
 };
 

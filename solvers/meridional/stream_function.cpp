@@ -7,7 +7,7 @@
 
 namespace searle::solvers::meridional {
 
-Eigen::VectorXd stream_function(const FlowSpace& space, const FlowState& state) {
+Eigen::VectorXd stream_function(const FlowSpace& space, const Eigen::MatrixX3d& velocity) {
     using Index = Eigen::Index;
     std::vector<int> unknown(static_cast<std::size_t>(space.nodes()), -1);
     int unknowns = 0;
@@ -24,8 +24,8 @@ Eigen::VectorXd stream_function(const FlowSpace& space, const FlowState& state) 
         Eigen::VectorXd w(locals);
         for (Index k = 0; k < locals; ++k) {
             const int node = element.node[static_cast<std::size_t>(k)];
-            u[k] = state.velocity(node, static_cast<Index>(Component::radial));
-            w[k] = state.velocity(node, static_cast<Index>(Component::axial));
+            u[k] = velocity(node, static_cast<Index>(Component::radial));
+            w[k] = velocity(node, static_cast<Index>(Component::axial));
         }
         const Eigen::VectorXd by_square = (element.weight / element.radius.square()).matrix();
         const Eigen::ArrayXd by_radius = element.weight / element.radius;

@@ -77,6 +77,7 @@ bool start_steadily(FlowLevel& level, SteadySecondaryFlow& steady, const ScaledF
 TransientTorque transient_secondary_flow(const geometry::DinBob& bob,
                                          const laws::flow::AnyFlowLaw& law, double density,
                                          const rheometry::SpeedHistory& history, double accuracy,
+                                         std::span<const std::size_t> field_rows,
                                          const ProgressSink& progress) {
     TransientTorque result;
     const double reference_speed = history.fastest_speed();
@@ -124,7 +125,8 @@ TransientTorque transient_secondary_flow(const geometry::DinBob& bob,
                 level.set_state(rest(level.space()));
             }
             const HistoryRun run =
-                run_history(level, fluid, reference_speed, history, tolerance, progress);
+                run_history(level, fluid, reference_speed, history,
+                            {.tolerance = tolerance, .field_rows = field_rows}, progress);
             result.linear_solves += run.solves;
             last = run;
             if (run.too_dear && result.levels > 0) {
@@ -141,6 +143,8 @@ TransientTorque transient_secondary_flow(const geometry::DinBob& bob,
             result.unknowns = level.space().unknowns();
             result.division = {level.lines(), level.space().degree()};
             result.time_steps = run.steps;
+            result.fields = flow_fields_at_rows(
+                level, run.kept, {bob.bob_radius, reference_speed, wall_rate}, law, history);
             const bool complete = torque.size() == rows;
             result.stopped =
                 complete ? std::string{}

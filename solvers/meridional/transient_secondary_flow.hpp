@@ -2,10 +2,13 @@
 
 #include "geometry/din_bob.hpp"
 #include "laws/flow/flow_law.hpp"
+#include "rheometry/fields/section_fields.hpp"
 #include "rheometry/speed_history.hpp"
 #include "solvers/axisymmetric/section_mesh.hpp"
 #include "solvers/progress.hpp"
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,7 +28,9 @@ struct TransientTorque {
     axisymmetric::SectionDivision division; ///< of the finest level
     long time_steps{};
     long linear_solves{}; ///< over all levels
-    std::string stopped;  ///< why the rows end early; empty where they do not
+    /// The flow at the rows asked for, as far as they were reached.
+    std::vector<rheometry::fields::SectionFields> fields;
+    std::string stopped; ///< why the rows end early; empty where they do not
 };
 
 /// Runs the history on finer and finer levels, in space and in time together, until two of them
@@ -34,9 +39,11 @@ struct TransientTorque {
 ///                  rotor is slow
 /// @param density   kg/m^3, > 0
 /// @param accuracy  asked-for relative error of the torque, > 0
+/// @param field_rows  rows whose flow is kept, from 1, increasing
 [[nodiscard]] TransientTorque
 transient_secondary_flow(const geometry::DinBob& bob, const laws::flow::AnyFlowLaw& law,
                          double density, const rheometry::SpeedHistory& history, double accuracy,
+                         std::span<const std::size_t> field_rows = {},
                          const ProgressSink& progress = {});
 
 } // namespace searle::solvers::meridional

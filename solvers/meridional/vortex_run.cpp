@@ -29,11 +29,10 @@ constexpr double least_scale = 1e-3;
 
 HistoryRun run_level(FlowLevel& level, const VortexCell& cell, const ScaledFluid& fluid,
                      double reference_speed, const rheometry::SpeedHistory& history,
-                     double tolerance, double disturbance, const ProgressSink& progress) {
+                     RunSettings settings, double disturbance, const ProgressSink& progress) {
     FlowState profile = rest(level.space());
     disturb_rotor(cell, level.space(), disturbance, profile);
-    const Eigen::VectorXd rotor =
-        profile.velocity.col(static_cast<Eigen::Index>(Component::rotation));
+    settings.rotor_profile = profile.velocity.col(static_cast<Eigen::Index>(Component::rotation));
     FlowState start = rest(level.space());
     if (history.initial_speed != 0.0) {
         // Laminar and steady before the history begins.
@@ -44,7 +43,7 @@ HistoryRun run_level(FlowLevel& level, const VortexCell& cell, const ScaledFluid
         start.pressure.setZero();
     }
     level.set_state(std::move(start));
-    return run_history(level, fluid, reference_speed, history, tolerance, progress, rotor);
+    return run_history(level, fluid, reference_speed, history, settings, progress);
 }
 
 } // namespace
@@ -52,7 +51,7 @@ HistoryRun run_level(FlowLevel& level, const VortexCell& cell, const ScaledFluid
 VortexRun vortex_run(const radial::AnnularGap& gap, double wavelength,
                      const laws::flow::AnyFlowLaw& law, double density, double disturbance,
                      const rheometry::SpeedHistory& history, std::span<const double> accuracies,
-                     const ProgressSink& progress) {
+                     std::span<const std::size_t> field_rows, const ProgressSink& progress) {
     VortexRun result;
     const VortexCell cell{.gap = gap.outer_radius / gap.inner_radius - 1.0,
                           .height = 0.5 * wavelength / gap.inner_radius};
@@ -76,7 +75,8 @@ VortexRun vortex_run(const radial::AnnularGap& gap, double wavelength,
         const auto level = cell_level(cell, resolution);
         HistoryRun run;
         try {
-            run = run_level(*level, cell, fluid, reference_speed, history, tolerance, disturbance,
+            run = run_level(*level, cell, fluid, reference_speed, history,
+                            {.tolerance = tolerance, .field_rows = field_rows}, disturbance,
                             progress);
         } catch (const Interrupted&) {
             if (result.levels < 2) {
@@ -121,6 +121,9 @@ VortexRun vortex_run(const radial::AnnularGap& gap, double wavelength,
         result.elements = static_cast<int>(level->mesh().elements.size());
         result.unknowns = level->space().unknowns();
         result.time_steps = run.steps;
+        result.fields = flow_fields_at_rows(
+            *level, run.kept, {gap.inner_radius, reference_speed, fastest.inner_wall_rate}, law,
+            history);
         result.reached =
             result.levels > 1 && result.torque.size() == history.row_times.size() && worst <= 1.0;
         if (result.reached || run.too_dear) {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "laws/flow/flow_law.hpp"
+#include "rheometry/fields/section_fields.hpp"
 #include "rheometry/speed_history.hpp"
 #include "solvers/progress.hpp"
 #include "solvers/radial/annular_gap.hpp"
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,6 +23,8 @@ struct VortexRun {
     long unknowns{};
     long time_steps{};
     long linear_solves{};
+    /// One vortex at the rows asked for, as far as they were reached.
+    std::vector<rheometry::fields::SectionFields> fields;
     bool interrupted{}; ///< by the user, after two levels or more
     /// Sentence why rows are missing or finer levels were left alone; empty if neither.
     std::string stopped;
@@ -35,11 +39,13 @@ struct VortexRun {
 /// @param density     kg/m^3, > 0
 /// @param disturbance  unevenness, 0 < disturbance << 1
 /// @param accuracies  asked-for relative error of each row's torque; as many as rows, at least one
+/// @param field_rows  rows whose flow is kept, from 1, increasing
 /// May throw Interrupted, if fewer than two levels are done: then no row has an error yet.
 [[nodiscard]] VortexRun vortex_run(const radial::AnnularGap& gap, double wavelength,
                                    const laws::flow::AnyFlowLaw& law, double density,
                                    double disturbance, const rheometry::SpeedHistory& history,
                                    std::span<const double> accuracies,
+                                   std::span<const std::size_t> field_rows = {},
                                    const ProgressSink& progress = {});
 
 } // namespace searle::solvers::meridional

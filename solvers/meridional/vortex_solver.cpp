@@ -1,7 +1,9 @@
 #include "solvers/meridional/vortex_solver.hpp"
 
 #include "rheometry/schedule.hpp"
+#include "solvers/meridional/flow_fields.hpp"
 #include "solvers/meridional/steady_vortices.hpp"
+#include "solvers/meridional/vortex_cell.hpp"
 #include "solvers/meridional/vortex_run.hpp"
 #include "solvers/plan_rows.hpp"
 #include "solvers/radial/transient_levels.hpp"
@@ -14,6 +16,8 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 namespace searle::solvers::meridional {
 namespace {
@@ -78,6 +82,33 @@ double laminar_torque(const Scene& scene, const VortexGap& outside, double speed
            radial::steady_gap_flow(outside.gap, scene.fluid.law, speed).torque_per_length;
 }
 
+/// The vortex takes the place of the laminar flow in the fields of its row, if that has any.
+void show_vortex(rheometry::fields::SectionFields vortex, radial::RadialReport& report) {
+    const auto found =
+        std::ranges::find(report.fields, vortex.row, &rheometry::fields::SectionFields::row);
+    if (found != report.fields.end()) {
+        open_mirror_planes(vortex);
+        *found = std::move(vortex);
+    }
+}
+
+/// The same for the rows of a steady series that turn at this speed.
+void show_steady_vortex(const Scene& scene, const VortexGap& outside, double speed,
+                        const FlowLevel& level, radial::RadialReport& report) {
+    const double wall_rate =
+        radial::steady_gap_flow(outside.gap, scene.fluid.law, speed).inner_wall_rate;
+    for (const rheometry::fields::SectionFields& laminar : report.fields) {
+        if (std::abs(laminar.speed) == speed) {
+            auto vortex =
+                flow_fields(level, level.state().velocity,
+                            {outside.gap.inner_radius, laminar.speed, wall_rate}, scene.fluid.law);
+            vortex.row = laminar.row;
+            vortex.time = laminar.time;
+            show_vortex(std::move(vortex), report);
+        }
+    }
+}
+
 double turbulence_doubt(const Scene& scene) {
     return is_newtonian(scene) ? newtonian_doubt : other_doubt;
 }
@@ -108,6 +139,9 @@ void add_steady_vortices(const Scene& scene, const Plan& plan, const VortexGap& 
     for (const auto& [speed, accuracy] : accuracies) {
         const InertiaFactor& factor = factors[speed] =
             vortices.at(speed, vortex_share * accuracy, progress);
+        if (vortices.flow() != nullptr) {
+            show_steady_vortex(scene, outside, speed, *vortices.flow(), report);
+        }
         report.refinements = std::max(report.refinements, factor.levels);
         report.unknowns = std::max(report.unknowns, factor.unknowns);
     }
@@ -159,9 +193,10 @@ void add_growing_vortices(const Scene& scene, const Plan& plan,
     VortexRun run;
     radial::TransientTorque laminar;
     if (followed > 0) {
-        run = vortex_run(outside.gap, wavelength, scene.fluid.law, scene.fluid.density,
-                         scene.solver.disturbance, first_rows(history, followed), accuracies,
-                         progress);
+        run =
+            vortex_run(outside.gap, wavelength, scene.fluid.law, scene.fluid.density,
+                       scene.solver.disturbance, first_rows(history, followed), accuracies,
+                       radial::rows_with_fields(scene.output, history.row_times.size()), progress);
         // The cell's flow takes the place of the laminar one in the gap outside the rotor, shortly
         // before the first row past the onset; until then that one is known better.
         const std::vector<radial::RotorGap> gaps =
@@ -176,12 +211,14 @@ void add_growing_vortices(const Scene& scene, const Plan& plan,
     for (std::size_t k = followed; k < rows.size(); ++k) {
         add_turbulence(scene, outside, plan.rows[k], rows[k]);
     }
-    bool is_near = false;
+    std::optional<std::size_t> first_near;
     bool is_past = false;
     for (std::size_t k = 0; k < std::min(followed, rows.size()); ++k) {
-        is_near = is_near || plan.rows[k].taylor_ratio > near_onset;
+        if (!first_near && plan.rows[k].taylor_ratio > near_onset) {
+            first_near = k;
+        }
         is_past = is_past || plan.rows[k].taylor_ratio > 1.0;
-        if (is_near) {
+        if (first_near) {
             const double added = outside.height * run.torque[k] - laminar.torque[k];
             rows[k].torque += added;
             rows[k].torque_error += outside.height * run.error[k];
@@ -189,6 +226,11 @@ void add_growing_vortices(const Scene& scene, const Plan& plan,
                 // An even rotor has no vortices yet: the uneven one's are of no instrument.
                 rows[k].torque_error += std::abs(added);
             }
+        }
+    }
+    for (rheometry::fields::SectionFields& vortex : run.fields) {
+        if (first_near && vortex.row > *first_near) {
+            show_vortex(std::move(vortex), report);
         }
     }
     report.transient = true;
@@ -301,7 +343,8 @@ radial::RadialReport solve_with_vortices(const Scene& scene, const Plan& plan,
     note_missing_vortices(plan, laminar, report);
     if (!report.fields.empty()) {
         report.notes.emplace_back(
-            "The fields and their pictures show the laminar flow without the vortices.");
+            "Fields and pictures of rows with vortices show one of them, half a wavelength of the "
+            "gap outside the rotor.");
     }
     report.worst_relative_error = worst_relative_error(report.history.rows);
     report.reached = !report.interrupted && report.worst_relative_error <= scene.solver.accuracy;

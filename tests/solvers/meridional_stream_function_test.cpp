@@ -34,7 +34,7 @@ double largest_error(int degree) {
         state.velocity(node, 0) = -across * across * wave * std::cos(wave * z) / r;
         state.velocity(node, 1) = 2.0 * across * (2.0 + gap - 2.0 * r) * std::sin(wave * z) / r;
     }
-    const Eigen::VectorXd found = stream_function(space, state);
+    const Eigen::VectorXd found = stream_function(space, state.velocity);
     double largest = 0.0;
     for (int node = 0; node < space.nodes(); ++node) {
         largest =

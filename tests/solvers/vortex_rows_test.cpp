@@ -75,7 +75,7 @@ Stopped stopped_in_level(int number) {
     try {
         const std::vector<double> accuracies(2, 1e-6);
         stopped.run = vortex_run(gap, 0.004, laws::flow::Newtonian{1e-2}, 1150.0, 1e-3, hold,
-                                 accuracies, stop);
+                                 accuracies, {}, stop);
     } catch (const Interrupted&) {
         stopped.thrown = true;
     }
