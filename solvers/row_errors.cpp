@@ -5,6 +5,17 @@
 #include <cstddef>
 
 namespace searle::solvers {
+namespace {
+
+/// Whether the torque has no kink between a row and the next, but at the row itself.
+bool are_joined(const rheometry::SpeedHistory& history, std::size_t row) {
+    const double time = history.row_times[row];
+    const auto& next = history.piece_at(history.row_times[row + 1]);
+    return &history.piece_at(time) == &next ||
+           (time == next.start_time && history.speed_at(time) == next.start_speed);
+}
+
+} // namespace
 
 double worst_relative_error(std::span<const rheometry::TorqueRow> rows) {
     constexpr double least_share = 1e-3;
@@ -34,17 +45,27 @@ std::vector<bool> rows_at_rest(std::span<const double> torque, double yield,
 
 double error_at_rest(double torque, double yield) { return std::abs(torque) + yield; }
 
+bool turns_within_a_piece(std::span<const double> torque, const rheometry::SpeedHistory& history) {
+    for (std::size_t k = 0; k + 1 < torque.size(); ++k) {
+        if (torque[k] * torque[k + 1] < 0.0 && are_joined(history, k)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 std::vector<double> level_changes(std::span<const double> before, std::span<const double> after,
                                   const rheometry::SpeedHistory& history, double tolerance) {
     const std::size_t rows = std::min(before.size(), after.size());
-    const auto piece = [&](std::size_t row) { return &history.piece_at(history.row_times[row]); };
     std::vector<double> change(rows);
     for (std::size_t k = 0; k < rows; ++k) {
         for (std::size_t near = k > 0 ? k - 1 : 0; near < std::min(k + 2, rows); ++near) {
             const double of_near = std::abs(after[near] - before[near]);
-            const double relative = of_near / std::max(std::abs(after[near]), 1e-300);
+            // Of a smaller neighbour, as at a stop, the change itself is the measure.
+            const double larger = std::max(std::abs(after[near]), std::abs(after[k]));
+            const double relative = of_near / std::max(larger, 1e-300);
             change[k] = std::max(change[k], std::min(relative, 1.0) * std::abs(after[k]));
-            if (piece(near) == piece(k)) {
+            if (near == k || are_joined(history, std::min(near, k))) {
                 change[k] = std::max({change[k], of_near, tolerance * std::abs(after[near])});
             }
         }

@@ -20,15 +20,23 @@ namespace searle::solvers {
 [[nodiscard]] std::vector<bool> rows_at_rest(std::span<const double> torque, double yield,
                                              const rheometry::SpeedHistory& history);
 
+/// Whether the torque passes through zero between two rows with no jump or kink between them: what
+/// is left of two torques that nearly cancel errs by shares of both, of steps and of elements, and
+/// two levels may see those cancel too.
+[[nodiscard]] bool turns_within_a_piece(std::span<const double> torque,
+                                        const rheometry::SpeedHistory& history);
+
 /// Error bar of a row at rest: from its torque, within +-yield, over all that a fluid at rest
 /// carries.
 [[nodiscard]] double error_at_rest(double torque, double yield);
 
 /// Change of each row's torque from one level of resolution to the next, or of a neighbour where
-/// that is more, relative to the torque: a row at which two levels happen to cross is not exact.
-/// Within one piece of the history, where the torque is smooth, a neighbour's absolute change
-/// counts as well; and steps that may err by a share of what moves leave at least that share of a
-/// neighbour's torque: of a torque that passes through zero no more is known.
+/// that is more, relative to the larger of both torques: a row at which two levels happen to cross
+/// is not exact.
+/// Within one piece of the history, where the torque is smooth, and from the row at its start if
+/// the speed does not jump there, a neighbour's absolute change counts as well; and steps that may
+/// err by a share of what moves leave at least that share of a neighbour's torque: of a torque that
+/// passes through zero no more is known.
 /// @param before, after  torques of the history's first rows
 /// @param tolerance      of the steps of the later level, relative
 [[nodiscard]] std::vector<double> level_changes(std::span<const double> before,

@@ -217,14 +217,15 @@ std::vector<Figure> field_figures(const ReportInput& input) {
     if (pictured.empty()) {
         return figures;
     }
-    const auto sections = std::ranges::stable_partition(
-        pictured, [](const SectionFields* each) { return is_strip(*each); });
-    if (const std::vector strips(pictured.begin(), sections.begin()); !strips.empty()) {
+    const auto sections =
+        std::stable_partition(pictured.begin(), pictured.end(),
+                              [](const SectionFields* each) { return is_strip(*each); });
+    if (const std::vector strips(pictured.begin(), sections); !strips.empty()) {
         figures.push_back(strip_figure(strips, input));
     }
-    for (const SectionFields* section : sections) {
+    std::for_each(sections, pictured.end(), [&](const SectionFields* section) {
         figures.push_back(section_figure(*section, input));
-    }
+    });
     return figures;
 }
 

@@ -4,6 +4,7 @@
 #include "solvers/axisymmetric/swirl_fields.hpp"
 #include "solvers/axisymmetric/swirl_stepper.hpp"
 #include "solvers/row_errors.hpp"
+#include "solvers/steps_of_level.hpp"
 
 #include <fmt/format.h>
 
@@ -55,15 +56,16 @@ struct Level {
     std::vector<double> steady; ///< scaled, of the steady flow at each row's speed
     bool complete{};
     double stopped_at{};
+    StepsOfLevel step_ends;
     long steps{};
     long solves{};
     std::vector<std::pair<std::size_t, Eigen::VectorXd>> kept; ///< row from 1, w over fastest speed
 };
 
-/// @param steps_per_row  at least so many from a row, kink or jump to the next
+/// @param coarser  steps of the level before; none at the first
 Level run_level(const SectionSpace& space, const SwirlLaw& law,
                 const SwirlStepper::Settings& settings, const rheometry::SpeedHistory& history,
-                int steps_per_row, std::span<const std::size_t> field_rows,
+                const StepsOfLevel& coarser, std::span<const std::size_t> field_rows,
                 const ProgressSink& progress, const std::string& stage) {
     SwirlStepper stepper(space, law, settings);
     const double reference = history.fastest_speed();
@@ -95,12 +97,11 @@ Level run_level(const SectionSpace& space, const SwirlLaw& law,
             const bool has_row =
                 row < history.row_times.size() && history.row_times[row] <= piece.end_time;
             const double target = has_row ? history.row_times[row] : piece.end_time;
-            const double longest = (target - stepper.time()) / steps_per_row;
             while (stepper.time() < target) {
-                const bool is_last = target - stepper.time() < 1.001 * longest;
-                if (!stepper.step(is_last ? target : stepper.time() + longest)) {
+                if (!stepper.step(target, coarser.longest_from(stepper.time()))) {
                     return stop();
                 }
+                level.step_ends.add(stepper.time());
                 if (progress) {
                     progress(stepper.time() / history.duration(), stage);
                 }
@@ -299,6 +300,7 @@ SwirlHistory swirl_history(const SectionShape& shape, const laws::flow::AnyFlowL
     // No wider than the layer of momentum at the first row.
     double size = std::min(first_size, thinnest_layer(shape, law, density, history) / shape.gap());
     std::vector<double> change_before;
+    StepsOfLevel steps;
     double work = 0.0;
     try {
         // What a fluid at rest carries: the torque of the slowest flow.
@@ -317,9 +319,8 @@ SwirlHistory swirl_history(const SectionShape& shape, const laws::flow::AnyFlowL
             }
             const SectionMesh mesh = section_of(shape, lines);
             const SectionSpace space(mesh, Field::rotation, degree, degree + (yields ? 4 : 2));
-            // Two levels with the same steps do not see what those miss where the torque turns.
-            Level level = run_level(space, scaled, settings, history, 1 + number, field_rows,
-                                    progress, fmt::format("swirl in time, level {}", number + 1));
+            Level level = run_level(space, scaled, settings, history, steps, field_rows, progress,
+                                    fmt::format("swirl in time, level {}", number + 1));
             result.newton_steps += level.solves;
             work = static_cast<double>(level.solves) * static_cast<double>(space.unknowns());
             if (!level.complete && number > 0) {
@@ -327,6 +328,7 @@ SwirlHistory swirl_history(const SectionShape& shape, const laws::flow::AnyFlowL
                                              number + 1, level.stopped_at);
                 break;
             }
+            steps = std::move(level.step_ends);
             result.levels = number + 1;
             result.elements = static_cast<int>(mesh.elements.size());
             result.unknowns = space.unknowns();
@@ -345,8 +347,9 @@ SwirlHistory swirl_history(const SectionShape& shape, const laws::flow::AnyFlowL
                                        settings.tolerance, history, result);
             result.fields =
                 fields_at_rows(level.kept, mesh, shape, law, history, degree, wall_rate);
+            const int first_judged = turns_within_a_piece(result.torque, history) ? 2 : 1;
             result.reached =
-                number > 0 && level.complete && result.worst_relative_error <= accuracy;
+                number >= first_judged && level.complete && result.worst_relative_error <= accuracy;
             if (result.reached || !level.complete) {
                 break;
             }

@@ -139,7 +139,7 @@ bool SwirlStepper::has_come_to_rest() const {
            gradients(space_, rotation_).cwiseAbs().maxCoeff() <= rest_share * settings_.rounding;
 }
 
-bool SwirlStepper::step(double limit) {
+bool SwirlStepper::step(double limit, double longest) {
     if (has_come_to_rest()) {
         rotation_.setZero();
         rate_.setZero();
@@ -156,10 +156,10 @@ bool SwirlStepper::step(double limit) {
         std::abs(drive_.speed_at(limit)) <= 1e-12 * std::abs(drive_.acceleration) * stretch;
     for (;;) {
         const double left = limit - time_;
-        const double longest =
-            stops ? longest_before_stop(left, stretch, next_length_) : next_length_;
+        const double allowed = std::min(longest, next_length_);
+        const double most = stops ? longest_before_stop(left, stretch, allowed) : allowed;
         // Equal steps up to the limit rather than a short one at its end.
-        const double count = std::max(1.0, std::ceil(left / longest * (1.0 - 1e-12)));
+        const double count = std::max(1.0, std::ceil(left / most * (1.0 - 1e-12)));
         const double length = left / count;
         if (length < shortest * most_left) {
             return false;

@@ -5,6 +5,7 @@
 #include "solvers/axisymmetric/swirl_law.hpp"
 
 #include <Eigen/Core>
+#include <limits>
 
 #include <array>
 #include <optional>
@@ -41,10 +42,11 @@ public:
     [[nodiscard]] bool start_steadily(double speed);
     /// A new stretch of the drive; the first step of it is `first` s long.
     [[nodiscard]] bool begin(const SwirlDrive& drive, double first);
-    /// One accepted step that does not pass `limit`; false where none can be taken. A flow that a
-    /// standing rotor has brought to rest is left there: a yield stress does so in a finite time,
-    /// and no step that is accurate relative to the flow gets past it.
-    [[nodiscard]] bool step(double limit);
+    /// One accepted step that does not pass `limit` and is not longer than `longest`; false where
+    /// none can be taken. A flow that a standing rotor has brought to rest is left there: a yield
+    /// stress does so in a finite time, and no step that is accurate relative to the flow gets past
+    /// it.
+    [[nodiscard]] bool step(double limit, double longest = std::numeric_limits<double>::infinity());
 
     [[nodiscard]] double time() const { return time_; }
     /// Over 2 pi length^3 stress scale, at the present time.

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <string>
 
 namespace searle::solvers::meridional {
@@ -73,8 +72,9 @@ void set_inertia(rheometry::EndEffect& end, const InertiaFactor& found) {
     end.with_inertia_error = end.error * found.factor + found.relative_error * end.with_inertia;
 }
 
-/// Says whether the steady flow at the fastest row would persist.
-void note_stability(const Plan& plan, InertiaFactorCurve& curve, radial::RadialReport& solution) {
+/// Says whether the steady flow at the fastest row would persist. May throw Interrupted.
+void note_stability(const Plan& plan, InertiaFactorCurve& curve, radial::RadialReport& solution,
+                    const ProgressSink& progress) {
     double fastest = 0.0;
     double share = 0.0;
     for (const RowForecast& row : plan.rows) {
@@ -84,7 +84,7 @@ void note_stability(const Plan& plan, InertiaFactorCurve& curve, radial::RadialR
     if (share < share_worth_asking) {
         return;
     }
-    const auto rate = curve.disturbance_rate(fastest);
+    const auto rate = curve.disturbance_rate(fastest, progress);
     if (!rate) {
         return;
     }
@@ -199,8 +199,12 @@ void apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& rep
                         slowest_failure));
         return;
     }
-    if (!curve.interrupted()) {
-        note_stability(plan, curve, solution);
+    if (!solution.interrupted) {
+        try {
+            note_stability(plan, curve, solution, progress);
+        } catch (const Interrupted&) {
+            solution.interrupted = true;
+        }
     }
 }
 
@@ -237,23 +241,16 @@ axisymmetric::EndEffectTable end_effects(const Scene& scene, std::span<const dou
         table.interrupted) {
         return table;
     }
-    SteadySecondaryFlow flow(bob_of(scene), scene.fluid.law, scene.fluid.density,
-                             factor_share * scene.solver.accuracy);
-    try {
-        // By rising speed, each flow starts from the one before.
-        std::vector<std::size_t> order(table.rows.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        std::sort(order.begin(), order.end(), [&](std::size_t one, std::size_t other) {
-            return table.rows[one].speed < table.rows[other].speed;
-        });
-        for (const std::size_t row : order) {
-            const InertiaFactor found = flow.at(table.rows[row].speed, progress);
-            set_inertia(table.rows[row], found);
+    const InertiaFactorCurve curve(bob_of(scene), scene.fluid.law, scene.fluid.density, speeds,
+                                   factor_share * scene.solver.accuracy, progress);
+    for (rheometry::EndEffect& row : table.rows) {
+        if (curve.has(row.speed)) {
+            const InertiaFactor found = curve.at(row.speed);
+            set_inertia(row, found);
             table.reached = table.reached && found.reached;
         }
-    } catch (const Interrupted&) {
-        table.interrupted = true;
     }
+    table.interrupted = curve.interrupted();
     return table;
 }
 

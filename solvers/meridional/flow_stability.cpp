@@ -60,7 +60,7 @@ LeadingDisturbance leading_of(const Eigen::MatrixXd& hessenberg, int used) {
 } // namespace
 
 LeadingDisturbance leading_disturbance(FlowLevel& level, const FlowMaterial& material,
-                                       int vectors) {
+                                       const ProgressSink& progress, int vectors) {
     FlowSystem& system = level.system();
     if (!system.factorise(level.state(), material, shift)) {
         return nothing_found;
@@ -80,6 +80,9 @@ LeadingDisturbance leading_disturbance(FlowLevel& level, const FlowMaterial& mat
     basis.col(0) = start.reshaped() / start.norm();
     LeadingDisturbance leading = nothing_found;
     for (int k = 0; k < vectors; ++k) {
+        if (progress) {
+            progress(static_cast<double>(k) / vectors, "stability of the secondary flow");
+        }
         Eigen::VectorXd next = apply(basis.col(k).reshaped(space.nodes(), 3)).reshaped();
         double length = next.norm();
         for (double before = std::numeric_limits<double>::infinity();

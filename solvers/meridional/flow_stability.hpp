@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solvers/meridional/flow_level.hpp"
+#include "solvers/progress.hpp"
 
 #include <complex>
 
@@ -18,8 +19,10 @@ struct LeadingDisturbance {
 /// method on the inverse of (derivative + shift x mass).
 /// @param level   its state is the steady flow of `material`; its factors are replaced
 /// @param vectors  of the Krylov space at most; fewer where further ones bring nothing
+/// May throw Interrupted.
 /// @return a rate of -infinity where no eigenvalue converged
 [[nodiscard]] LeadingDisturbance leading_disturbance(FlowLevel& level, const FlowMaterial& material,
+                                                     const ProgressSink& progress = {},
                                                      int vectors = 50);
 
 } // namespace searle::solvers::meridional

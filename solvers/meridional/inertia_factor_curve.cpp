@@ -109,11 +109,12 @@ void InertiaFactorCurve::solve(double speed, const ProgressSink& progress) {
     solved_[speed] = found;
 }
 
-std::optional<std::complex<double>> InertiaFactorCurve::disturbance_rate(double speed) {
-    if (flow_at(speed, {}) == nullptr) {
+std::optional<std::complex<double>>
+InertiaFactorCurve::disturbance_rate(double speed, const ProgressSink& progress) {
+    if (flow_at(speed, progress) == nullptr) {
         return {};
     }
-    const LeadingDisturbance leading = flow_.leading_disturbance_at(speed);
+    const LeadingDisturbance leading = flow_.leading_disturbance_at(speed, progress);
     if (!std::isfinite(leading.rate.real())) {
         return {};
     }

@@ -41,8 +41,9 @@ public:
     [[nodiscard]] FlowLevel* flow_at(double speed, const ProgressSink& progress);
     /// Growth of the leading axisymmetric disturbance of the steady flow at a speed, 1/s (real
     /// part) and rad/s (imaginary part); nothing where it cannot be told. Solves for the flow
-    /// again.
-    [[nodiscard]] std::optional<std::complex<double>> disturbance_rate(double speed);
+    /// again. May throw Interrupted.
+    [[nodiscard]] std::optional<std::complex<double>>
+    disturbance_rate(double speed, const ProgressSink& progress);
 
 private:
     void solve_all(double accuracy, const ProgressSink& progress);

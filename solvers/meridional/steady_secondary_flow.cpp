@@ -293,9 +293,10 @@ InertiaFactor SteadySecondaryFlow::solve_at(double speed, const ProgressSink& pr
     return result;
 }
 
-LeadingDisturbance SteadySecondaryFlow::leading_disturbance_at(double speed) {
+LeadingDisturbance SteadySecondaryFlow::leading_disturbance_at(double speed,
+                                                               const ProgressSink& progress) {
     return leading_disturbance(*levels_.at(last_level_).flow,
-                               fluid_at(speed, last_level_).material());
+                               fluid_at(speed, last_level_).material(), progress);
 }
 
 FlowLevel* SteadySecondaryFlow::finest() {

@@ -49,7 +49,8 @@ public:
                                    double work = most_work);
 
     /// Of the flow that the last call found, at its speed.
-    [[nodiscard]] LeadingDisturbance leading_disturbance_at(double speed);
+    [[nodiscard]] LeadingDisturbance leading_disturbance_at(double speed,
+                                                            const ProgressSink& progress = {});
 
     /// The flow of the last call on its finest level, or null before the first.
     [[nodiscard]] FlowLevel* finest();

@@ -94,7 +94,8 @@ TEST(OnsetOfFluids, nothing_that_oscillates_grows_before_the_steady_vortices) {
             const auto level = cell_level(cell.cell(), resolution);
             const ScaledFluid fluid = cell.fluid(share);
             static_cast<void>(level->solve_creeping(fluid.material().law, 1e-12));
-            const LeadingDisturbance leading = leading_disturbance(*level, fluid.material(), 40);
+            const LeadingDisturbance leading =
+                leading_disturbance(*level, fluid.material(), {}, 40);
             EXPECT_EQ(leading.rate.real() > 0.0, share > 1.0) << name << ' ' << share;
             EXPECT_EQ(leading.rate.imag(), 0.0) << name << ' ' << share;
         }

@@ -58,7 +58,7 @@ TEST(FlowStability, arnoldi_and_time_steps_give_the_same_growth) {
     const auto level = cell_level(critical_cell(gap), resolution);
     const UnitViscosity law;
     ASSERT_TRUE(level->solve_creeping(law, 1e-14));
-    const LeadingDisturbance leading = leading_disturbance(*level, {law, reynolds / gap}, 40);
+    const LeadingDisturbance leading = leading_disturbance(*level, {law, reynolds / gap}, {}, 40);
     EXPECT_EQ(leading.rate.imag(), 0.0);
     EXPECT_NEAR(leading.rate.real() * gap * reynolds, growth_in_time(gap, reynolds, resolution),
                 1e-5);
