@@ -17,6 +17,7 @@
 #include "rheometry/report/number_text.hpp"
 #include "rheometry/report/rich_text.hpp"
 #include "solvers/axisymmetric/creeping_swirl.hpp"
+#include "solvers/meridional/steady_secondary_flow.hpp"
 #include "solvers/plan.hpp"
 #include "solvers/radial/annular_gap.hpp"
 #include "solvers/radial/transient_levels.hpp"
@@ -92,6 +93,12 @@ double creeping_bob() {
         .end_factor;
 }
 
+double secondary_flow() {
+    solvers::meridional::SteadySecondaryFlow flow({.bob_radius = 0.014, .cup_radius = 0.0151858},
+                                                  Newtonian{1.0016e-3}, 998.2, 1e-2);
+    return flow.at(0.75).factor;
+}
+
 double fit_curve() {
     namespace fit = rheometry::fit;
     const fit::Model& law = *fit::model_named("herschel-bulkley");
@@ -153,13 +160,19 @@ double escape() {
 
 using Kernel = double (*)();
 const std::map<std::string, Kernel, std::less<>>& kernels() {
-    static const std::map<std::string, Kernel, std::less<>> all{
-        {"steady-gap", steady_gap},     {"ramp-water", ramp},
-        {"ramp-slurry", slurry_ramp},   {"taylor-onset", onset},
-        {"creeping-bob", creeping_bob}, {"fit-curve", fit_curve},
-        {"read-case", read_case},       {"plan", plan},
-        {"plan-slurry", plan_slurry},   {"solve-case", solve_case},
-        {"numbers", numbers},           {"escape", escape}};
+    static const std::map<std::string, Kernel, std::less<>> all{{"steady-gap", steady_gap},
+                                                                {"ramp-water", ramp},
+                                                                {"ramp-slurry", slurry_ramp},
+                                                                {"taylor-onset", onset},
+                                                                {"creeping-bob", creeping_bob},
+                                                                {"fit-curve", fit_curve},
+                                                                {"secondary-flow", secondary_flow},
+                                                                {"read-case", read_case},
+                                                                {"plan", plan},
+                                                                {"plan-slurry", plan_slurry},
+                                                                {"solve-case", solve_case},
+                                                                {"numbers", numbers},
+                                                                {"escape", escape}};
     return all;
 }
 
