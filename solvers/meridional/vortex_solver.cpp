@@ -28,6 +28,9 @@ constexpr double wavy_ratio = 1.1;
 constexpr double shown = 1e-3;
 /// Share of the onset below which the cell's flow is not looked at.
 constexpr double near_onset = 0.9;
+/// Below the onset again, vortices that add no more than this many times the cell's own error are
+/// taken for gone: the laminar flow is known better, and the bar holds both.
+constexpr double indistinct = 3.0;
 /// What waves may change, as a share of what the vortices add.
 constexpr double wavy_share = 0.1;
 /// Share of that doubt which the vortices are solved to: no more can be had of them.
@@ -220,10 +223,15 @@ void add_growing_vortices(const Scene& scene, const Plan& plan,
         is_past = is_past || plan.rows[k].taylor_ratio > 1.0;
         if (first_near) {
             const double added = outside.height * run.torque[k] - laminar.torque[k];
-            rows[k].torque += added;
-            rows[k].torque_error += outside.height * run.error[k];
-            if (!is_past) {
-                // An even rotor has no vortices yet: the uneven one's are of no instrument.
+            const double error = outside.height * run.error[k];
+            const bool are_gone = is_past && plan.rows[k].taylor_ratio < 1.0 &&
+                                  std::abs(added) <= indistinct * error;
+            if (!are_gone) {
+                rows[k].torque += added;
+            }
+            rows[k].torque_error += error;
+            // An even rotor has no vortices yet: the uneven one's are of no instrument.
+            if (!is_past || are_gone) {
                 rows[k].torque_error += std::abs(added);
             }
         }

@@ -52,6 +52,34 @@ TEST(VortexRows, just_below_the_onset_the_bar_holds_the_laminar_torque) {
     EXPECT_GT(rows[2].torque, 1.1 * laminar[2].torque);
 }
 
+/// Once vortices have died, the torque is the laminar one, which the radial solver knows better;
+/// and where it passes through zero a cell's steps, as long as the ramp lets them be, were 1 % off.
+TEST(VortexRows,
+     after_vortices_have_died_the_torque_is_the_laminar_one_and_the_bar_holds_the_cell) {
+    Scene scene = steps_over_the_onset();
+    scene.fluid.law = laws::flow::CarreauYasuda{1.2e-2, 4e-3, 3e-2, 0.6, 0.63};
+    scene.solver.accuracy = 5e-2;
+    const double fastest = 420.0;
+    scene.protocol.program =
+        rheometry::Segments{{{{fastest, SpeedKind::shear_rate}, 600.0, 4},
+                             {{-0.2 * fastest, SpeedKind::shear_rate}, 600.0, 7}}};
+    const Plan plan = make_plan(scene);
+    ASSERT_GT(plan.rows[3].taylor_ratio, 1.05);
+    const auto rows = solve_with_vortices(scene, plan, {}).history.rows;
+    const auto laminar = radial::solve_radial(scene, plan, {}).history.rows;
+    ASSERT_EQ(rows.size(), 11U);
+    EXPECT_GT(rows[3].torque, 1.05 * laminar[3].torque);
+    int after = 0;
+    for (std::size_t k = 4; k < rows.size(); ++k) {
+        if (plan.rows[k].taylor_ratio < 0.9) {
+            ++after;
+            EXPECT_EQ(rows[k].torque, laminar[k].torque) << k;
+            EXPECT_GT(rows[k].torque_error, laminar[k].torque_error) << k;
+        }
+    }
+    EXPECT_EQ(after, 4);
+}
+
 struct Stopped {
     VortexRun run;
     bool thrown{};
