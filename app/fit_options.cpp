@@ -125,6 +125,9 @@ std::vector<double> rates_of(std::string_view words, std::string_view option) {
                 "{} LOW:HIGH:COUNT needs 0 < LOW < HIGH and 2 to 100000 rates", option));
         return fit::spread_rates(low, high, static_cast<std::size_t>(count));
     }
+    if (parts.size() > 1)
+        throw UsageError(
+            fmt::format("{} takes LOW:HIGH:COUNT or R1,R2,..., not \"{}\"", option, words));
     for (const std::string_view word : parts_of(words, ',')) {
         rates.push_back(number_of(word, option));
         if (!(rates.back() > 0.0))

@@ -8,6 +8,7 @@
 #include "app/progress_line.hpp"
 #include "app/result_folder.hpp"
 #include "app/solved_case.hpp"
+#include "app/usage_error.hpp"
 #include "solvers/meridional/bob_solver.hpp"
 
 #include <fmt/format.h>
@@ -61,6 +62,12 @@ int ends(const EndsOptions& options) {
             "{}: geometry.type: this {} is a slice without ends; a din-bob has them, and so has a "
             "single-gap or double-gap with ends = true",
             source.file.string(), geometry::name_of(source.scene.instrument)));
+    if (options.output) {
+        const auto folder = std::filesystem::absolute(*options.output).parent_path();
+        if (!std::filesystem::is_directory(folder))
+            throw UsageError(fmt::format("-o {}: there is no folder {}", options.output->string(),
+                                         folder.string()));
+    }
     const std::vector<double> speeds = speeds_of(options, source.scene);
     EndEffectTable table;
     {

@@ -19,7 +19,8 @@ void check_proportions(const DinBobAsWritten& written, casefile::Findings& findi
         findings.contradiction({"cup_radius", "bob_radius"}, "the cup must be wider than the bob",
                                "bob_radius < cup_radius");
     const double cone = bob.cone_height() / bob.bob_radius;
-    if (!(bob.bottom_ratio > cone))
+    // Not a number where the radius is a fault of its own.
+    if (bob.bottom_ratio <= cone)
         findings.contradiction(
             {"bottom_ratio", "cone_angle"},
             fmt::format(

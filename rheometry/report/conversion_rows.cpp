@@ -1,6 +1,8 @@
 #include "rheometry/report/number_text.hpp"
 #include "rheometry/report/property_rows.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <variant>
 
@@ -82,24 +84,45 @@ Formulas formulas_of(const ReportInput& input) {
     return single_gap_formulas(input.conversion.definition);
 }
 
+double used_end_factor(const EndEffect& row) {
+    return std::isfinite(row.with_inertia) ? row.with_inertia : row.end_factor;
+}
+
 } // namespace
+
+bool has_computed_end_factors(const ReportInput& input) {
+    return input.conversion.end_factor_provisional && !input.ends.empty();
+}
+
+std::string computed_end_factors(const ReportInput& input) {
+    const auto [least, most] = std::ranges::minmax_element(input.ends, {}, used_end_factor);
+    const std::string from = significant(used_end_factor(*least), 5);
+    const std::string to = significant(used_end_factor(*most), 5);
+    return from == to ? from : from + " \u2013 " + to;
+}
 
 std::vector<PropertyRow> conversion_rows(const ReportInput& input) {
     const Conversion& conversion = input.conversion;
     const bool rotates = geometry::rotates(input.instrument);
+    const bool is_computed = has_computed_end_factors(input);
     const Formulas formulas = formulas_of(input);
     std::vector<PropertyRow> rows;
     rows.push_back(
         {"Convention", "",
          (rotates ? "<b>" + std::string{name_of(conversion.definition)} + "</b>: " : "") +
              formulas.meaning + source_note(input, "conversion.definition")});
-    rows.push_back(
-        {"End-effect factor", "<i>c</i><sub>L</sub>",
-         significant(conversion.end_factor, digits) + source_note(input, "conversion.end_factor")});
+    rows.push_back({"End-effect factor", "<i>c</i><sub>L</sub>",
+                    (is_computed ? "computed for each speed, " + computed_end_factors(input)
+                                 : significant(conversion.end_factor, digits)) +
+                        source_note(input, "conversion.end_factor")});
+    // Of computed factors each row has its own: what is common to all is left.
+    const double per_torque =
+        conversion.stress_per_torque * (is_computed ? conversion.end_factor : 1.0);
     rows.push_back(
         {"Shear stress", std::string{stress},
-         formulas.stress + " = " + significant(conversion.stress_per_torque, digits) +
-             (rotates ? "\u00a0Pa/(N\u00a0m) \u00d7 <i>M</i>" : "\u00a0Pa/N \u00d7 <i>F</i>")});
+         formulas.stress + " = " + significant(per_torque, digits) +
+             (rotates ? "\u00a0Pa/(N\u00a0m) \u00d7 <i>M</i>" : "\u00a0Pa/N \u00d7 <i>F</i>") +
+             (is_computed ? " / <i>c</i><sub>L</sub>" : "")});
     rows.push_back({"Shear rate", std::string{rate},
                     formulas.rate + " = " + significant(conversion.rate_per_speed, digits) +
                         (rotates ? " <i>\u03c9</i>" : "\u00a01/m \u00d7 <i>U</i>")});

@@ -23,6 +23,13 @@ struct PropertyRow {
 /// The convention, its formulas spelled out, and its factors.
 [[nodiscard]] std::vector<PropertyRow> conversion_rows(const ReportInput& input);
 
+/// Whether each row's stress was converted with the end factor computed for its speed.
+[[nodiscard]] bool has_computed_end_factors(const ReportInput& input);
+
+/// The end factors that were computed and used, smallest to largest, e.g. "1.2564 – 1.2599"; of
+/// rows whose secondary flow was solved with it.
+[[nodiscard]] std::string computed_end_factors(const ReportInput& input);
+
 /// Engine, model, accuracy asked and estimated, times by stage, further facts.
 [[nodiscard]] std::vector<PropertyRow> solution_rows(const ReportInput& input);
 

@@ -48,14 +48,11 @@ std::string range_text(const Rheogram& rheogram, Quantity quantity, bool rotates
 
 std::string end_factor_phrase(const ReportInput& input) {
     const std::string symbol = "<i>c</i><sub>L</sub>";
-    if (!input.conversion.end_factor_provisional || input.ends.empty()) {
+    if (!has_computed_end_factors(input)) {
         return "end-effect factor " + symbol + " = " + significant(input.conversion.end_factor, 6);
     }
-    const auto [least, most] = std::ranges::minmax_element(input.ends, {}, &EndEffect::end_factor);
-    const std::string from = significant(least->end_factor, 5);
-    const std::string to = significant(most->end_factor, 5);
-    return "the end-effect factor " + symbol + " computed for each speed (" + from +
-           (from == to ? "" : " \u2013 " + to) + ")";
+    return "the end-effect factor " + symbol + " computed for each speed (" +
+           computed_end_factors(input) + ")";
 }
 
 std::string lead_paragraph(const ReportInput& input) {

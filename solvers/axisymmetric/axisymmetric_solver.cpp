@@ -154,6 +154,26 @@ std::string range_text(const std::vector<double>& factors) {
                                : fmt::format("{:.6g} to {:.6g}", least, most);
 }
 
+/// What stresses converted with a given end factor are off by, if it is worth telling.
+std::string misreading_text(const Scene& scene, const std::vector<double>& factors) {
+    constexpr double worth_telling = 2e-3;
+    if (scene.conversion.end_factor_computed && !scene.conversion.end_factor) {
+        return {};
+    }
+    const double used = rheometry::conversion_for(scene.instrument, scene.conversion).end_factor;
+    double most = 0.0;
+    for (const double factor : factors) {
+        if (factor != 1.0 && std::abs(factor / used - 1.0) > std::abs(most)) {
+            most = factor / used - 1.0;
+        }
+    }
+    return std::abs(most) < worth_telling
+               ? std::string{}
+               : fmt::format(" The conversion uses {:.6g}, with which stresses read up to {:.2g} % "
+                             "too {}; conversion.end_factor = \"computed\" uses the bob's own.",
+                             used, 100.0 * std::abs(most), most > 0.0 ? "high" : "low");
+}
+
 /// What the energies say of the end factor at a speed.
 std::string bounds_text(double speed, const EndFactorCurve::Value& value) {
     // Near the plastic limit the dual energy may say nothing.
@@ -222,9 +242,9 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
                     return std::abs(one) < std::abs(other);
                 });
             solution.notes.push_back(fmt::format(
-                "End factor of the creeping flow c_L = {} (computed; {} solution{}); {}",
+                "End factor of the creeping flow c_L = {} (computed; {} solution{}); {}{}",
                 range_text(report.end_factor), ends.solutions(), ends.solutions() == 1 ? "" : "s",
-                bounds_text(fastest, ends.at(fastest))));
+                bounds_text(fastest, ends.at(fastest)), misreading_text(scene, report.end_factor)));
         }
         solution.interrupted = ends.interrupted();
     }

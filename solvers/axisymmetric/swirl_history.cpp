@@ -219,6 +219,7 @@ std::vector<double> set_errors(const std::vector<double>& before,
     result.rests = rows_at_rest(result.torque, yield_torque, history);
     hold_yield_torque(result.rests, yield_torque, history, result.torque);
     std::vector<double> change = level_changes(before, result.torque, history, tolerance);
+    const bool turns = turns_within_a_piece(result.torque, history);
     result.error.assign(result.torque.size(), largest);
     result.worst_relative_error = before.empty() ? 1.0 : 0.0;
     for (std::size_t k = 0; k < change.size(); ++k) {
@@ -229,8 +230,8 @@ std::vector<double> set_errors(const std::vector<double>& before,
         // Two levels that agree by accident: a sixth of what they differed by before.
         const bool is_third = k < change_before.size();
         const double earlier = is_third ? change_before[k] / 6.0 : 0.0;
-        result.error[k] =
-            (is_third ? safety : first_safety) * std::max(change[k], earlier) + known[k];
+        const double of_two = turns ? first_safety * first_safety : first_safety;
+        result.error[k] = (is_third ? safety : of_two) * std::max(change[k], earlier) + known[k];
         const double against = std::max(torque, least_scale * largest);
         result.worst_relative_error =
             std::max(result.worst_relative_error, against > 0.0 ? result.error[k] / against : 0.0);

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 namespace searle::solvers::meridional {
 namespace {
@@ -127,7 +128,8 @@ void add_secondary_fields(const Scene& scene, InertiaFactorCurve& curve, Axisymm
 
 /// Multiplies the torques (not of rows that a transient run has filled) and the end factors.
 /// @param delay_share  of what secondary flow adds, for not following it in time
-void apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& report,
+/// @return false where the flow's stability was asked for and interrupted; the rows are whole
+bool apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& report,
                    bool fills_torque, double delay_share, const ProgressSink& progress) {
     const geometry::DinBob bob = bob_of(scene);
     std::vector<rheometry::TorqueRow>& rows = report.solution.history.rows;
@@ -197,26 +199,27 @@ void apply_factors(const Scene& scene, const Plan& plan, AxisymmetricReport& rep
             fmt::format("No steady secondary flow was found at {:.4g} rad/s, nor at any faster row "
                         "with an error of 100 %: those torques are creeping ones.",
                         slowest_failure));
-        return;
+        return true;
     }
     if (!solution.interrupted) {
         try {
             note_stability(plan, curve, solution, progress);
         } catch (const Interrupted&) {
-            solution.interrupted = true;
+            return false;
         }
     }
+    return true;
 }
 
 /// Fills the rows from a run in time.
 void run_in_time(const Scene& scene, const rheometry::SpeedHistory& history,
                  AxisymmetricReport& report, const ProgressSink& progress) {
     radial::RadialReport& solution = report.solution;
-    const TransientTorque run = transient_secondary_flow(
+    TransientTorque run = transient_secondary_flow(
         bob_of(scene), scene.fluid.law, scene.fluid.density, history, scene.solver.accuracy,
         radial::rows_with_fields(scene.output, history.row_times.size()), progress);
     fill_from_run(run.torque, run.error, report);
-    solution.fields = run.fields;
+    solution.fields = std::move(run.fields);
     solution.refinements = run.levels;
     solution.elements = run.elements;
     solution.time_steps = run.time_steps;
@@ -241,14 +244,14 @@ axisymmetric::EndEffectTable end_effects(const Scene& scene, std::span<const dou
         table.interrupted) {
         return table;
     }
+    // A table is short, and each of its speeds may be found or not.
     const InertiaFactorCurve curve(bob_of(scene), scene.fluid.law, scene.fluid.density, speeds,
-                                   factor_share * scene.solver.accuracy, progress);
+                                   factor_share * scene.solver.accuracy, progress, speeds.size());
+    std::erase_if(table.rows, [&](const auto& row) { return !curve.has(row.speed); });
     for (rheometry::EndEffect& row : table.rows) {
-        if (curve.has(row.speed)) {
-            const InertiaFactor found = curve.at(row.speed);
-            set_inertia(row, found);
-            table.reached = table.reached && found.reached;
-        }
+        const InertiaFactor found = curve.at(row.speed);
+        set_inertia(row, found);
+        table.reached = table.reached && found.reached;
     }
     table.interrupted = curve.interrupted();
     return table;
@@ -266,34 +269,44 @@ AxisymmetricReport solve_bob(const Scene& scene, const Plan& plan, const Progres
     const bool yields = laws::flow::yield_stress(scene.fluid.law) > 0.0;
     const bool in_time = history != nullptr && plan.transient && !yields;
     const double delay_share = history != nullptr && plan.transient ? unsteady_share : 0.0;
-    try {
-        if (!in_time || conversion.end_factor_provisional) {
-            apply_factors(scene, plan, report, !in_time, delay_share, progress);
-        }
-    } catch (const Interrupted&) {
-        // The swirl's torques are no result of the case that asked for more.
+    // The swirl's torques are no result of the case that asked for more.
+    const auto without_rows = [&report] {
         report.solution.history.rows.clear();
+        report.solution.fields.clear();
         report.end_factor.clear();
         report.ends.clear();
         report.solution.interrupted = true;
         report.solution.reached = false;
-        return report;
+        return std::move(report);
+    };
+    bool knows_stability = true;
+    try {
+        if (!in_time || conversion.end_factor_provisional) {
+            knows_stability = apply_factors(scene, plan, report, !in_time, delay_share, progress);
+        }
+    } catch (const Interrupted&) {
+        return without_rows();
     }
-    if (report.solution.interrupted) {
-        report.solution.reached = false;
-        return report;
+    if (in_time && (report.solution.interrupted || !knows_stability)) {
+        return without_rows();
+    }
+    if (plan.transient && yields && !report.solution.fields.empty()) {
+        report.solution.notes.emplace_back(
+            "The fields and their pictures show the swirl without the secondary flow, which is not "
+            "followed in time with a yield stress.");
     }
     if (in_time) {
         run_in_time(scene, *history, report, progress);
     }
     doubt_vortices(scene, plan, report.solution);
+    report.solution.interrupted = report.solution.interrupted || !knows_stability;
     if (!in_time || !report.solution.interrupted) {
         const bool is_complete = report.solution.history.rows.size() == plan.rows.size();
         report.solution.worst_relative_error =
             std::max(in_time ? report.solution.worst_relative_error : 0.0,
                      worst_relative_error(report.solution.history.rows));
-        report.solution.reached =
-            is_complete && report.solution.worst_relative_error <= scene.solver.accuracy;
+        report.solution.reached = !report.solution.interrupted && is_complete &&
+                                  report.solution.worst_relative_error <= scene.solver.accuracy;
     }
     return report;
 }

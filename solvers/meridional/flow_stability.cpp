@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -15,10 +16,12 @@ namespace {
 constexpr double shift = 0.3;
 /// An eigenvalue counts when its residual is below this.
 constexpr double believed = 1e-4;
-/// The leading one is looked for after so many vectors, and believed when as many again brought no
-/// other.
+/// The leading one is looked for after so many vectors, and believed when eight more brought no
+/// other and none on its right begins to show: what oscillates fast is far from the shift and
+/// comes last.
 constexpr int first_look = 24;
 constexpr int vectors_between_looks = 8;
+constexpr double shows = 0.1; ///< residual of one that begins to
 /// A vector that keeps less than this share of its length is made orthogonal once more; twice is
 /// enough (Daniel, Gragg, Kaufman and Stewart 1976, Math. Comput. 30, 772).
 constexpr double enough_left = 0.7;
@@ -39,9 +42,16 @@ Eigen::MatrixX3d arbitrary_velocity(const FlowSpace& space) {
 constexpr LeadingDisturbance nothing_found{.rate = {-std::numeric_limits<double>::infinity(), 0.0},
                                            .residual = 1.0};
 
-/// @param hessenberg  of Arnoldi's method, (used + 1, used) or larger
-LeadingDisturbance leading_of(const Eigen::MatrixXd& hessenberg, int used) {
+struct Look {
     LeadingDisturbance leading = nothing_found;
+    bool is_contested{}; ///< one on its right begins to show
+};
+
+/// @param hessenberg  of Arnoldi's method, (used + 1, used) or larger
+Look look_at(const Eigen::MatrixXd& hessenberg, int used) {
+    Look look;
+    LeadingDisturbance& leading = look.leading;
+    double rightmost = nothing_found.rate.real();
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(hessenberg.topLeftCorner(used, used));
     const double beyond = hessenberg(used, used - 1);
     for (int k = 0; k < used; ++k) {
@@ -53,8 +63,12 @@ LeadingDisturbance leading_of(const Eigen::MatrixXd& hessenberg, int used) {
         if (residual < believed && rate.real() > leading.rate.real()) {
             leading = {{rate.real(), std::abs(rate.imag())}, residual};
         }
+        if (residual < shows) {
+            rightmost = std::max(rightmost, rate.real());
+        }
     }
-    return leading;
+    look.is_contested = rightmost > leading.rate.real();
+    return look;
 }
 
 } // namespace
@@ -96,10 +110,10 @@ LeadingDisturbance leading_disturbance(FlowLevel& level, const FlowMaterial& mat
         const int used = k + 1;
         const bool is_last = used == vectors || length < 1e-13;
         if (is_last || (used >= first_look && (used - first_look) % vectors_between_looks == 0)) {
-            const LeadingDisturbance found = leading_of(hessenberg, used);
-            const bool same = std::abs(found.rate - leading.rate) <= believed;
-            leading = found;
-            if (is_last || same) {
+            const Look found = look_at(hessenberg, used);
+            const bool same = std::abs(found.leading.rate - leading.rate) <= believed;
+            leading = found.leading;
+            if (is_last || (same && !found.is_contested)) {
                 break;
             }
         }

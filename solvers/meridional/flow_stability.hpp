@@ -23,6 +23,6 @@ struct LeadingDisturbance {
 /// @return a rate of -infinity where no eigenvalue converged
 [[nodiscard]] LeadingDisturbance leading_disturbance(FlowLevel& level, const FlowMaterial& material,
                                                      const ProgressSink& progress = {},
-                                                     int vectors = 50);
+                                                     int vectors = 80);
 
 } // namespace searle::solvers::meridional

@@ -11,7 +11,6 @@
 namespace searle::solvers::meridional {
 namespace {
 
-constexpr std::size_t most_direct = 6;
 constexpr int first_degree = 4;
 constexpr int last_degree = 32;
 /// Of the accuracy: what each solution and what interpolation may miss where there is any.
@@ -45,17 +44,18 @@ std::set<double> magnitudes(std::span<const double> speeds) {
 InertiaFactorCurve::InertiaFactorCurve(const geometry::DinBob& bob,
                                        const laws::flow::AnyFlowLaw& law, double density,
                                        std::span<const double> speeds, double accuracy,
-                                       const ProgressSink& progress)
+                                       const ProgressSink& progress, std::size_t most_direct)
     : distinct_(magnitudes(speeds)), interpolates_(distinct_.size() > most_direct),
-      flow_(bob, law, density, (interpolates_ ? solution_share : 1.0) * attainable(accuracy, law)) {
+      accuracy_(attainable(accuracy, law)),
+      flow_(bob, law, density, (interpolates_ ? solution_share : 1.0) * accuracy_) {
     try {
-        solve_all(attainable(accuracy, law), progress);
+        solve_all(progress);
     } catch (const Interrupted&) {
         interrupted_ = true;
     }
 }
 
-void InertiaFactorCurve::solve_all(double accuracy, const ProgressSink& progress) {
+void InertiaFactorCurve::solve_all(const ProgressSink& progress) {
     if (!interpolates_) {
         for (const double speed : distinct_) {
             solve(speed, progress);
@@ -83,7 +83,7 @@ void InertiaFactorCurve::solve_all(double accuracy, const ProgressSink& progress
             break;
         }
         // Where a flow was not found no number of points makes the curve smooth.
-        double worst = accuracy;
+        double worst = accuracy_;
         for (const auto& [speed, found] : solved_) {
             worst = std::max(worst, found.relative_error);
         }
@@ -145,10 +145,10 @@ InertiaFactor InertiaFactorCurve::at(double speed) const {
     if (after != solved_.begin() && after != solved_.end()) {
         const InertiaFactor& before = std::prev(after)->second;
         result.relative_error = std::max(result.relative_error, before.relative_error);
-        result.reached = result.reached && before.reached;
     }
     result.factor = interpolated(magnitude);
     result.relative_error += interpolation_error_;
+    result.reached = result.relative_error <= accuracy_;
     return result;
 }
 

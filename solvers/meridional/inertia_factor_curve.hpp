@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <set>
@@ -16,12 +17,15 @@ namespace searle::solvers::meridional {
 /// doubled until the curve no longer moves.
 class InertiaFactorCurve {
 public:
+    static constexpr std::size_t usual_most_direct = 6;
+
     /// @param speeds    rad/s; signs are left out, zeros are skipped
     /// @param accuracy  asked-for relative error of the torque
+    /// @param most_direct  up to so many distinct speeds each is solved at
     /// Interrupted by `progress`: what was solved is kept, see has().
     InertiaFactorCurve(const geometry::DinBob& bob, const laws::flow::AnyFlowLaw& law,
                        double density, std::span<const double> speeds, double accuracy,
-                       const ProgressSink& progress);
+                       const ProgressSink& progress, std::size_t most_direct = usual_most_direct);
 
     /// Whether at() may be asked for this speed; true for all unless interrupted.
     [[nodiscard]] bool has(double speed) const {
@@ -46,13 +50,14 @@ public:
     disturbance_rate(double speed, const ProgressSink& progress);
 
 private:
-    void solve_all(double accuracy, const ProgressSink& progress);
+    void solve_all(const ProgressSink& progress);
     void solve(double speed, const ProgressSink& progress);
     [[nodiscard]] InertiaFactor solve_within_bounds(double speed, const ProgressSink& progress);
     [[nodiscard]] double interpolated(double speed) const;
 
     std::set<double> distinct_; ///< magnitudes of the speeds, without 0
     bool interpolates_;
+    double accuracy_;
     SteadySecondaryFlow flow_;
     std::map<double, InertiaFactor> solved_;
     bool interrupted_{};

@@ -37,7 +37,7 @@ public:
                 }
             }
         }
-        divide(std::move(all));
+        divide(all);
     }
 
 private:
@@ -249,7 +249,7 @@ bool MultifrontalLu::factorise(const Assembly& assemble) {
         }
         waiting.push_back(std::move(part));
     }
-    return true;
+    return fronts_.back().kept.empty();
 }
 
 Eigen::VectorXd MultifrontalLu::solve(const Eigen::VectorXd& load) const {

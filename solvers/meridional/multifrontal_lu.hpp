@@ -27,13 +27,14 @@ struct ElementUnknowns {
 class MultifrontalLu {
 public:
     /// @param size  number of unknowns. One multiplier must have been left out in each connected
-    ///     piece of the mesh whose walls let nothing through.
+    ///     piece of the mesh, whose walls let nothing through.
     MultifrontalLu(const std::vector<ElementUnknowns>& elements, int size);
 
     /// Sets the matrix of an element, whose size is that of its unknowns; called once for each.
     using Assembly = std::function<void(std::size_t element, Eigen::MatrixXd& matrix)>;
 
-    /// False where a pivot is 0 or not finite; there are no factors then.
+    /// False where a pivot is 0 or not finite, or where a piece has all of its multipliers; there
+    /// are no factors then.
     bool factorise(const Assembly& assemble);
 
     /// @param load  of each unknown, (size)

@@ -132,7 +132,9 @@ InertiaFactor SteadyVortices::at(double speed, double accuracy, const ProgressSi
             }
         }
         double factor = 1.0;
+        flow_ = nullptr;
         if (secondary_speed(flow.state()) > no_vortices) {
+            flow_ = &flow;
             const FlowState vortices = flow.state();
             const double torque = flow.steady_torque(fluid.material());
             flow.start_from_rest();
@@ -142,7 +144,6 @@ InertiaFactor SteadyVortices::at(double speed, double accuracy, const ProgressSi
             flow.set_state(vortices);
         }
         ++result.levels;
-        flow_ = &flow;
         result.factor = factor;
         result.unknowns = flow.space().unknowns();
         result.relative_error = std::abs(factor - before) / factor;

@@ -30,7 +30,7 @@ public:
     [[nodiscard]] InertiaFactor at(double speed, double accuracy,
                                    const ProgressSink& progress = {});
 
-    /// The flow that the last at() found, over the speed; null where it found none.
+    /// The vortices that the last at() found, over the speed; null where there are none.
     [[nodiscard]] const FlowLevel* flow() const { return flow_; }
 
     [[nodiscard]] long factorisations() const;

@@ -87,15 +87,6 @@ void disturb_rotor(const VortexCell& cell, const FlowSpace& space, double distur
     }
 }
 
-void open_mirror_planes(rheometry::fields::SectionFields& section) {
-    using rheometry::fields::OutlineKind;
-    for (rheometry::fields::OutlineEdge& edge : section.outline) {
-        if (edge.kind == OutlineKind::free_surface) {
-            edge.kind = OutlineKind::open_end;
-        }
-    }
-}
-
 double laminar_torque(const VortexCell& cell) {
     const double ratio = 1.0 + cell.gap;
     return 2.0 * cell.height / (1.0 - 1.0 / (ratio * ratio));

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "rheometry/fields/section_fields.hpp"
 #include "solvers/meridional/flow_level.hpp"
 
 #include <memory>
@@ -29,9 +28,6 @@ struct CellResolution {
 /// 1 + disturbance cos(pi z / height).
 void disturb_rotor(const VortexCell& cell, const FlowSpace& space, double disturbance,
                    FlowState& state);
-
-/// In fields of a cell: its mirror planes, which are free surfaces to the solver, are open ends.
-void open_mirror_planes(rheometry::fields::SectionFields& section);
 
 /// Torque of the laminar flow of a Newtonian fluid on the cell's piece of rotor, over 2 pi
 /// viscosity speed radius^3: 2 height / (1 - 1 / (1 + gap)^2).

@@ -1,9 +1,8 @@
 #include "solvers/meridional/vortex_solver.hpp"
 
 #include "rheometry/schedule.hpp"
-#include "solvers/meridional/flow_fields.hpp"
 #include "solvers/meridional/steady_vortices.hpp"
-#include "solvers/meridional/vortex_cell.hpp"
+#include "solvers/meridional/vortex_fields.hpp"
 #include "solvers/meridional/vortex_run.hpp"
 #include "solvers/plan_rows.hpp"
 #include "solvers/radial/transient_levels.hpp"
@@ -85,33 +84,6 @@ double laminar_torque(const Scene& scene, const VortexGap& outside, double speed
            radial::steady_gap_flow(outside.gap, scene.fluid.law, speed).torque_per_length;
 }
 
-/// The vortex takes the place of the laminar flow in the fields of its row, if that has any.
-void show_vortex(rheometry::fields::SectionFields vortex, radial::RadialReport& report) {
-    const auto found =
-        std::ranges::find(report.fields, vortex.row, &rheometry::fields::SectionFields::row);
-    if (found != report.fields.end()) {
-        open_mirror_planes(vortex);
-        *found = std::move(vortex);
-    }
-}
-
-/// The same for the rows of a steady series that turn at this speed.
-void show_steady_vortex(const Scene& scene, const VortexGap& outside, double speed,
-                        const FlowLevel& level, radial::RadialReport& report) {
-    const double wall_rate =
-        radial::steady_gap_flow(outside.gap, scene.fluid.law, speed).inner_wall_rate;
-    for (const rheometry::fields::SectionFields& laminar : report.fields) {
-        if (std::abs(laminar.speed) == speed) {
-            auto vortex =
-                flow_fields(level, level.state().velocity,
-                            {outside.gap.inner_radius, laminar.speed, wall_rate}, scene.fluid.law);
-            vortex.row = laminar.row;
-            vortex.time = laminar.time;
-            show_vortex(std::move(vortex), report);
-        }
-    }
-}
-
 double turbulence_doubt(const Scene& scene) {
     return is_newtonian(scene) ? newtonian_doubt : other_doubt;
 }
@@ -143,7 +115,8 @@ void add_steady_vortices(const Scene& scene, const Plan& plan, const VortexGap& 
         const InertiaFactor& factor = factors[speed] =
             vortices.at(speed, vortex_share * accuracy, progress);
         if (vortices.flow() != nullptr) {
-            show_steady_vortex(scene, outside, speed, *vortices.flow(), report);
+            show_steady_vortex(outside.gap, scene.fluid.law, speed, *vortices.flow(),
+                               report.fields);
         }
         report.refinements = std::max(report.refinements, factor.levels);
         report.unknowns = std::max(report.unknowns, factor.unknowns);
@@ -214,31 +187,31 @@ void add_growing_vortices(const Scene& scene, const Plan& plan,
     for (std::size_t k = followed; k < rows.size(); ++k) {
         add_turbulence(scene, outside, plan.rows[k], rows[k]);
     }
-    std::optional<std::size_t> first_near;
-    bool is_past = false;
+    bool is_near = false;
+    std::optional<std::size_t> first_past;
     for (std::size_t k = 0; k < std::min(followed, rows.size()); ++k) {
-        if (!first_near && plan.rows[k].taylor_ratio > near_onset) {
-            first_near = k;
+        is_near = is_near || plan.rows[k].taylor_ratio > near_onset;
+        if (!first_past && plan.rows[k].taylor_ratio > 1.0) {
+            first_past = k;
         }
-        is_past = is_past || plan.rows[k].taylor_ratio > 1.0;
-        if (first_near) {
+        if (is_near) {
             const double added = outside.height * run.torque[k] - laminar.torque[k];
             const double error = outside.height * run.error[k];
-            const bool are_gone = is_past && plan.rows[k].taylor_ratio < 1.0 &&
+            const bool are_gone = first_past && plan.rows[k].taylor_ratio < 1.0 &&
                                   std::abs(added) <= indistinct * error;
             if (!are_gone) {
                 rows[k].torque += added;
             }
             rows[k].torque_error += error;
             // An even rotor has no vortices yet: the uneven one's are of no instrument.
-            if (!is_past || are_gone) {
+            if (!first_past || are_gone) {
                 rows[k].torque_error += std::abs(added);
             }
         }
     }
     for (rheometry::fields::SectionFields& vortex : run.fields) {
-        if (first_near && vortex.row > *first_near) {
-            show_vortex(std::move(vortex), report);
+        if (first_past && vortex.row > *first_past) {
+            show_vortex(std::move(vortex), report.fields);
         }
     }
     report.transient = true;
@@ -343,13 +316,15 @@ radial::RadialReport solve_with_vortices(const Scene& scene, const Plan& plan,
             ++before;
         }
         report.history.rows.resize(before);
+        drop_fields_without_rows(report.history.rows.size(), report.fields);
         report.interrupted = true;
         report.reached = false;
         return report;
     }
     doubt_waves(scene, plan, laminar, report);
     note_missing_vortices(plan, laminar, report);
-    if (!report.fields.empty()) {
+    drop_fields_without_rows(report.history.rows.size(), report.fields);
+    if (std::ranges::any_of(report.fields, shows_vortex)) {
         report.notes.emplace_back(
             "Fields and pictures of rows with vortices show one of them, half a wavelength of the "
             "gap outside the rotor.");
@@ -360,7 +335,7 @@ radial::RadialReport solve_with_vortices(const Scene& scene, const Plan& plan,
 }
 
 void doubt_vortices_left_out(const Scene& scene, const Plan& plan, radial::RadialReport& report) {
-    if (!is_endless_gap(scene) || !is_free_choice(scene) ||
+    if (!is_endless_gap(scene) || scene.solver.model == Model::radial ||
         scene.solver.secondary_flow == Switch::off) {
         return;
     }
