@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <variant>
 
 namespace searle::solvers {
 namespace {
@@ -19,6 +20,14 @@ std::string taylor_warning(const Forecast& forecast, bool are_solved, bool has_e
         : has_ends
             ? "the result is one of several axisymmetric flows there, not surely the instrument's"
             : "the result has the laminar torque there, an instrument shows a larger one");
+}
+
+/// Of the gap that vortices are solved in, m.
+double height_of_gap(const geometry::Instrument& instrument) {
+    if (const auto* gaps = std::get_if<geometry::DoubleGap>(&instrument)) {
+        return gaps->height;
+    }
+    return std::get<geometry::ConcentricCylinders>(instrument).height;
 }
 
 std::string partly_sheared_warning(const Forecast& forecast, std::size_t partly) {
@@ -51,8 +60,9 @@ std::string lag_warning(const Forecast& forecast, std::size_t lagging) {
     };
     const std::size_t worst = row_of_largest(forecast, excess);
     return fmt::format(
-        "Inertia of the fluid shows at {}: it changes the apparent viscosity by up to "
-        "{} (t = {:.4g} s); this is part of the result, not of the fluid's flow curve.",
+        "Inertia of the fluid shows at {}: by the plan's estimate it changes the apparent "
+        "viscosity by up to {} (t = {:.4g} s); this is part of the result, not of the fluid's flow "
+        "curve.",
         rows_of(lagging, forecast.rows.size()), percent(excess(worst)), forecast.rows[worst].time);
 }
 
@@ -65,6 +75,18 @@ std::vector<std::string> plan_warnings(const Scene& scene, const Forecast& forec
     if (forecast.taylor && forecast.taylor->largest_ratio > 1.0) {
         warnings.push_back(taylor_warning(forecast, vortices,
                                           has_ends(scene) && scene.solver.model != Model::radial));
+    }
+    if (const auto& wavelength = scene.solver.vortex_wavelength) {
+        if (!vortices) {
+            warnings.emplace_back(
+                "solver.vortex_wavelength is not used: no Taylor vortices are solved for here.");
+        } else if (const double height = height_of_gap(scene.instrument);
+                   0.5 * *wavelength > height) {
+            warnings.push_back(fmt::format(
+                "Half of solver.vortex_wavelength, a vortex, is {:.4g} mm high, and the gap "
+                "only {:.4g} mm: none fits in.",
+                500.0 * *wavelength, 1e3 * height));
+        }
     }
     if (is_box(scene)) {
         // Lower bound of sustained turbulence in plane Couette flow, Re = U h / (4 nu) = 325

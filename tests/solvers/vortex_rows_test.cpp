@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace searle::solvers::meridional {
@@ -50,6 +53,42 @@ TEST(VortexRows, just_below_the_onset_the_bar_holds_the_laminar_torque) {
     EXPECT_GE(rows[1].torque_error, added);
     EXPECT_LT(rows[1].torque_error, 1e-3 * rows[1].torque);
     EXPECT_GT(rows[2].torque, 1.1 * laminar[2].torque);
+}
+
+bool warns_of(const Scene& scene, std::string_view words) {
+    return std::ranges::any_of(make_plan(scene).warnings, [&](const std::string& warning) {
+        return warning.find(words) != std::string::npos;
+    });
+}
+
+TEST(VortexRows, a_wavelength_that_fits_nowhere_or_serves_nothing_is_told) {
+    Scene scene = steps_over_the_onset();
+    EXPECT_FALSE(warns_of(scene, "vortex_wavelength"));
+    scene.solver.vortex_wavelength = 0.004;
+    EXPECT_FALSE(warns_of(scene, "vortex_wavelength"));
+    scene.solver.vortex_wavelength = 0.4;
+    EXPECT_TRUE(warns_of(scene, "is 200 mm high, and the gap only 42 mm"));
+    scene.solver.model = Model::radial;
+    EXPECT_TRUE(warns_of(scene, "solver.vortex_wavelength is not used"));
+}
+
+/// Past the onset a yield-stress fluid's vortices are not solved, whatever model is asked for but
+/// the one without.
+TEST(VortexRows, what_is_left_out_of_a_yield_stress_fluid_is_in_the_bar) {
+    Scene scene = steps_over_the_onset();
+    scene.fluid.law = laws::flow::Bingham{1e-3, 1e-2};
+    const auto bar = [&](Model model) {
+        scene.solver.model = model;
+        const Plan plan = make_plan(scene);
+        EXPECT_FALSE(plan.vortices);
+        EXPECT_GT(plan.rows[2].taylor_ratio, 1.1);
+        auto report = radial::solve_radial(scene, plan, {});
+        doubt_vortices_left_out(scene, plan, report);
+        return report.history.rows[2].torque_error / report.history.rows[2].torque;
+    };
+    EXPECT_GT(bar(Model::automatic), 0.1);
+    EXPECT_EQ(bar(Model::axisymmetric), bar(Model::automatic));
+    EXPECT_LT(bar(Model::radial), 1e-3);
 }
 
 /// Once vortices have died, the torque is the laminar one, which the radial solver knows better;
