@@ -168,6 +168,13 @@ Figure section_figure(const SectionFields& section, const ReportInput& input) {
                                  .levels = {section.rigid_rate},
                                  .css_class = "yield-surface"});
     }
+    const bool has_streamlines = section.find(name::stream_function) != nullptr;
+    if (has_streamlines) {
+        picture.lines.push_back({.field = std::string{name::stream_function},
+                                 .levels = even_levels(section, name::stream_function, streamlines),
+                                 .css_class = "streamline",
+                                 .dashes_negative = !is_cell(section)});
+    }
     const std::string id = "section-" + std::to_string(section.row);
     const auto add = [&](SectionPicture each, const std::string& what) {
         each.letter = std::string(1, static_cast<char>('a' + figure.panels.size()));
@@ -183,17 +190,12 @@ Figure section_figure(const SectionFields& section, const ReportInput& input) {
         picture.window = window;
         add(picture, "rate of shear at the lower end");
         caption += ", (b) its lower end";
-        picture.window.reset();
     }
-    if (section.find(name::stream_function) != nullptr) {
-        picture.lines.push_back({.field = std::string{name::stream_function},
-                                 .levels = even_levels(section, name::stream_function, streamlines),
-                                 .css_class = "streamline",
-                                 .dashes_negative = !is_cell(section)});
-        add(picture, "streamlines of the secondary flow");
-        caption += std::string{", ("} + static_cast<char>('a' + figure.panels.size() - 1) +
-                   ") streamlines of the " +
-                   (is_cell(section) ? "vortex" : "secondary flow (dashed: the other sense)");
+    if (has_streamlines) {
+        caption +=
+            is_cell(section)
+                ? "; thin lines: streamlines of the vortex"
+                : "; thin lines: streamlines of the secondary flow (dashed: the other sense)";
     }
     caption += ". The rotor's wall is orange.";
     if (yields) {

@@ -15,7 +15,8 @@ using Index = Eigen::Index;
 
 /// Points in an element along each side, at least: smooth pictures of coarse elements.
 constexpr int least_points = 6;
-constexpr double least_points_of_section = 4000.0; ///< of the few elements of a vortex
+constexpr double points_of_section = 16000.0; ///< about; where few elements share them no more than
+constexpr double most_points = 32.0;          ///< so many in each along a side
 /// Fields are taken this far inside the ends of an element: on the axis the stress is 0 / 0.
 constexpr double inset = 1e-7;
 /// A rate so small beside the typical one may be an error of the elements, or what is left of the
@@ -90,10 +91,10 @@ void add_outline(fields::SectionFields& section, const SectionMesh& mesh,
 
 fields::SectionFields swirl_fields(const SwirlSolution& solution,
                                    const laws::flow::AnyFlowLaw& law) {
-    const double in_element =
-        std::sqrt(least_points_of_section / static_cast<double>(solution.mesh.elements.size()));
-    const int columns =
-        std::max({solution.degree + 1, least_points, static_cast<int>(std::ceil(in_element))});
+    const double share =
+        std::sqrt(points_of_section / static_cast<double>(solution.mesh.elements.size()));
+    const int columns = std::max({solution.degree + 1, least_points,
+                                  static_cast<int>(std::ceil(std::min(share, most_points)))});
     const Eigen::VectorXd exact = lobatto_nodes(columns - 1);
     LineRule rule{exact, Eigen::VectorXd::Zero(columns)};
     rule.node[0] += inset;
