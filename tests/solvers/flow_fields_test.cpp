@@ -4,12 +4,12 @@
 #include "solvers/axisymmetric/swirl_level.hpp"
 #include "solvers/axisymmetric/swirl_response.hpp"
 #include "solvers/radial/radial_solver.hpp"
+#include "tests/solvers/section_power.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace searle::solvers {
 namespace {
@@ -34,26 +34,6 @@ rheometry::Protocol steady_at(double speed) {
     rheometry::Steps steps;
     steps.speeds = {{speed, rheometry::SpeedKind::drive}};
     return {.program = steps};
-}
-
-/// The power that the fluid takes up: the integral of stress times rate over the section, by the
-/// trapezoidal rule on the cells, with 2 pi r.
-double dissipation(const fields::SectionFields& section) {
-    const auto& rate = section.find("shear_rate")->values;
-    const auto& stress = section.find("shear_stress")->values;
-    double sum = 0.0;
-    for (const auto& cell : section.cells) {
-        double area = 0.0;
-        double mean = 0.0;
-        for (std::size_t k = 0; k < 4; ++k) {
-            const auto& a = section.points[cell[k]];
-            const auto& b = section.points[cell[(k + 1) % 4]];
-            area += 0.5 * (a.r * b.z - b.r * a.z);
-            mean += 0.25 * rate[cell[k]] * stress[cell[k]] * a.r;
-        }
-        sum += 2.0 * std::numbers::pi * area * mean;
-    }
-    return sum;
 }
 
 /// v = A r + B / r with A = -w R1^2 / (R2^2 - R1^2), B = -A R2^2; rate = 2 B / r^2.

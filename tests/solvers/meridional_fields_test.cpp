@@ -2,12 +2,12 @@
 #include "solvers/meridional/bob_solver.hpp"
 #include "solvers/meridional/vortex_solver.hpp"
 #include "solvers/plan.hpp"
+#include "tests/solvers/section_power.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace searle::solvers::meridional {
@@ -28,26 +28,6 @@ Scene scene_in(const geometry::Instrument& instrument, double viscosity, double 
     scene.solver.accuracy = 1e-3;
     scene.output.fields = true;
     return scene;
-}
-
-/// What the section takes up: the integral of stress times rate, by the trapezoidal rule on the
-/// cells, with 2 pi r.
-double dissipation(const fields::SectionFields& section) {
-    const auto& rate = section.find("shear_rate")->values;
-    const auto& stress = section.find("shear_stress")->values;
-    double sum = 0.0;
-    for (const auto& cell : section.cells) {
-        double area = 0.0;
-        double mean = 0.0;
-        for (std::size_t k = 0; k < 4; ++k) {
-            const auto& a = section.points[cell[k]];
-            const auto& b = section.points[cell[(k + 1) % 4]];
-            area += 0.5 * (a.r * b.z - b.r * a.z);
-            mean += 0.25 * rate[cell[k]] * stress[cell[k]] * a.r;
-        }
-        sum += 2.0 * std::numbers::pi * area * mean;
-    }
-    return sum;
 }
 
 double height_of(const fields::SectionFields& section) {
