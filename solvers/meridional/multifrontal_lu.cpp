@@ -240,11 +240,13 @@ bool MultifrontalLu::factorise(const Assembly& assemble) {
             if (!diagonal.isFinite().all() || (diagonal == 0.0).any()) {
                 return false;
             }
+        }
+        if (eliminated > 0 && kept > 0) {
             front.to_eliminated = front.pivots.solve(whole.topRightCorner(eliminated, kept));
             front.from_eliminated = whole.bottomLeftCorner(kept, eliminated);
         }
         part = whole.bottomRightCorner(kept, kept);
-        if (eliminated > 0) {
+        if (eliminated > 0 && kept > 0) {
             part.noalias() -= front.from_eliminated * front.to_eliminated;
         }
         waiting.push_back(std::move(part));
@@ -257,11 +259,13 @@ Eigen::VectorXd MultifrontalLu::solve(const Eigen::VectorXd& load) const {
     for (const Front& front : fronts_) {
         if (!front.eliminated.empty()) {
             found(front.eliminated) = front.pivots.solve(found(front.eliminated)).eval();
+        }
+        if (!front.eliminated.empty() && !front.kept.empty()) {
             found(front.kept) -= front.from_eliminated * found(front.eliminated);
         }
     }
     for (auto front = fronts_.rbegin(); front != fronts_.rend(); ++front) {
-        if (!front->eliminated.empty()) {
+        if (!front->eliminated.empty() && !front->kept.empty()) {
             found(front->eliminated) -= front->to_eliminated * found(front->kept);
         }
     }
