@@ -157,10 +157,12 @@ std::string range_text(const std::vector<double>& factors) {
 /// What stresses converted with a given end factor are off by, if it is worth telling.
 std::string misreading_text(const Scene& scene, const std::vector<double>& factors) {
     constexpr double worth_telling = 2e-3;
-    if (scene.conversion.end_factor_computed && !scene.conversion.end_factor) {
+    const rheometry::Conversion conversion =
+        rheometry::conversion_for(scene.instrument, scene.conversion);
+    if (conversion.end_factor_provisional) {
         return {};
     }
-    const double used = rheometry::conversion_for(scene.instrument, scene.conversion).end_factor;
+    const double used = conversion.end_factor;
     double most = 0.0;
     for (const double factor : factors) {
         if (factor != 1.0 && std::abs(factor / used - 1.0) > std::abs(most)) {
@@ -261,7 +263,8 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
     // Then the solver of the secondary flow runs the history, and these rows are only its start.
     const bool followed_in_time =
         plan.secondary_flow && plan.transient && laws::flow::yield_stress(scene.fluid.law) == 0.0;
-    if (const auto* history = std::get_if<rheometry::SpeedHistory>(&schedule)) {
+    if (const auto* history = std::get_if<rheometry::SpeedHistory>(&schedule);
+        history != nullptr && !followed_in_time) {
         if (plan.transient && newtonian != nullptr && !solution.interrupted) {
             const TransientSwirl swirl = transient_swirl(shape, newtonian->viscosity,
                                                          scene.fluid.density, *history, accuracy);
@@ -278,13 +281,13 @@ AxisymmetricReport solve_axisymmetric(const Scene& scene, const Plan& plan,
             solution.refinements = swirl.levels;
             solution.unknowns = swirl.unknowns;
             report.division = swirl.division;
-        } else if (plan.transient && !followed_in_time && !solution.interrupted) {
+        } else if (plan.transient && !solution.interrupted) {
             follow_swirl(shape, scene, *history, report, progress);
-        } else if (!followed_in_time) {
+        } else {
             add_lag(plan, rows);
         }
     }
-    if (!solution.transient && !solution.interrupted) {
+    if (!solution.transient && !followed_in_time && !solution.interrupted) {
         try {
             if (laws::flow::yield_stress(scene.fluid.law) > 0.0) {
                 const auto* history = std::get_if<rheometry::SpeedHistory>(&schedule);

@@ -15,8 +15,9 @@ using Index = Eigen::Index;
 
 /// Points in an element along each side, at least: smooth pictures of coarse elements.
 constexpr int least_points = 6;
-constexpr double points_of_section = 16000.0; ///< about; where few elements share them no more than
-constexpr double most_points = 32.0;          ///< so many in each along a side
+/// Points of a whole section, about; few elements get no more than so many each along a side.
+constexpr double points_of_section = 16000.0;
+constexpr double most_points = 32.0;
 /// Fields are taken this far inside the ends of an element: on the axis the stress is 0 / 0.
 constexpr double inset = 1e-7;
 /// A rate so small beside the typical one may be an error of the elements, or what is left of the

@@ -5,9 +5,9 @@
 #include "solvers/axisymmetric/swirl_law.hpp"
 
 #include <Eigen/Core>
-#include <limits>
 
 #include <array>
+#include <limits>
 #include <optional>
 
 namespace searle::solvers::axisymmetric {

@@ -241,12 +241,11 @@ bool MultifrontalLu::factorise(const Assembly& assemble) {
                 return false;
             }
         }
+        part = whole.bottomRightCorner(kept, kept);
+        // Nothing is kept of the whole mesh.
         if (eliminated > 0 && kept > 0) {
             front.to_eliminated = front.pivots.solve(whole.topRightCorner(eliminated, kept));
             front.from_eliminated = whole.bottomLeftCorner(kept, eliminated);
-        }
-        part = whole.bottomRightCorner(kept, kept);
-        if (eliminated > 0 && kept > 0) {
             part.noalias() -= front.from_eliminated * front.to_eliminated;
         }
         waiting.push_back(std::move(part));

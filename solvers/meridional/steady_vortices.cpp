@@ -132,9 +132,8 @@ InertiaFactor SteadyVortices::at(double speed, double accuracy, const ProgressSi
             }
         }
         double factor = 1.0;
-        flow_ = nullptr;
-        if (secondary_speed(flow.state()) > no_vortices) {
-            flow_ = &flow;
+        flow_ = secondary_speed(flow.state()) > no_vortices ? &flow : nullptr;
+        if (flow_ != nullptr) {
             const FlowState vortices = flow.state();
             const double torque = flow.steady_torque(fluid.material());
             flow.start_from_rest();
