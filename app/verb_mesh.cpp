@@ -9,6 +9,7 @@
 #include "geometry/mesh_error.hpp"
 #include "geometry/mesh_format/write_mesh.hpp"
 #include "geometry/mesh_picture.hpp"
+#include "geometry/slice_plan.hpp"
 #include "rheometry/report/geometry_drawing.hpp"
 
 #include <fmt/format.h>
@@ -85,6 +86,20 @@ geometry::BuiltMesh section_of(const geometry::MeshSubject& subject,
     return geometry::build_mesh(subject, settings);
 }
 
+/// The section in r and z; around an eccentric bob, where none stands for the others, the slice as
+/// seen along the axis, magnified where the gap is narrowest.
+std::string preview_of(const MeshCase& scene, const geometry::MeshSubject& subject,
+                       const geometry::BuiltMesh& built) {
+    const std::string& title = scene.title.empty() ? scene.name : scene.title;
+    if (!geometry::is_eccentric(scene.instrument))
+        return geometry::mesh_picture(section_of(subject, scene.mesh).mesh, built.domain.gap,
+                                      title);
+    const auto& gap = std::get<geometry::ConcentricCylinders>(scene.instrument);
+    const double narrowest = gap.gap() - gap.offset;
+    return geometry::mesh_picture(geometry::slice_plan(built.mesh), narrowest, title,
+                                  geometry::Point{gap.bob_radius + 0.5 * narrowest, 0.0, 0.0});
+}
+
 } // namespace
 
 int mesh(const MeshOptions& options) {
@@ -101,9 +116,6 @@ int mesh(const MeshOptions& options) {
     if (options.drawing && scene.profile)
         throw geometry::MeshError("--drawing is for instruments; the --preview of a profile shows "
                                   "its outline");
-    if (options.preview && geometry::is_eccentric(scene.instrument))
-        throw geometry::MeshError("--preview shows the section in r and z, and none stands for the "
-                                  "gap around an eccentric bob (geometry.offset)");
     const geometry::BuiltMesh built = geometry::build_mesh(subject, scene.mesh);
     const NoSizeSignal no_signal;
     const std::vector<std::string> losses =
@@ -112,12 +124,8 @@ int mesh(const MeshOptions& options) {
         for (const std::string& loss : losses)
             std::fputs(fmt::format("searle: {}: note: {}\n", options.output.string(), loss).c_str(),
                        stderr);
-    if (options.preview) {
-        const geometry::BuiltMesh section = section_of(subject, scene.mesh);
-        write_picture(geometry::mesh_picture(section.mesh, built.domain.gap,
-                                             scene.title.empty() ? scene.name : scene.title),
-                      *options.preview);
-    }
+    if (options.preview)
+        write_picture(preview_of(scene, subject, built), *options.preview);
     if (options.drawing)
         write_picture(rheometry::report::geometry_drawing(scene.instrument), *options.drawing);
     const geometry::MeshQuality quality = geometry::quality_of(built);

@@ -158,8 +158,8 @@ Window whole_of(const Mesh& mesh) {
     return {left, bottom, right - left, top - bottom};
 }
 
-/// Around the lower end of the patch "bob" (of the first patch where there is none).
-Window detail_of(const Mesh& mesh, double gap, const Window& whole) {
+/// The lower end of the patch "bob" (of the first patch where there is none).
+Point lower_edge(const Mesh& mesh) {
     const Patch* bob = mesh.patch("bob");
     if (bob == nullptr)
         bob = mesh.patch("bob_inner");
@@ -171,13 +171,17 @@ Window detail_of(const Mesh& mesh, double gap, const Window& whole) {
             if (point.y < lowest.y || (point.y == lowest.y && point.x > lowest.x))
                 lowest = point;
         }
+    return lowest;
+}
+
+Window detail_of(const Point& around, double gap, const Window& whole) {
     // Both gaps of a thin double gap, else one with what is beside it.
     const double width = whole.width <= most_detail * gap ? whole.width : 2.2 * gap;
     const double height = std::min(1.2 * width, whole.height);
     const double left =
-        std::clamp(lowest.x - 0.45 * width, whole.left, whole.left + whole.width - width);
+        std::clamp(around.x - 0.45 * width, whole.left, whole.left + whole.width - width);
     const double bottom =
-        std::clamp(lowest.y - 0.5 * height, whole.bottom, whole.bottom + whole.height - height);
+        std::clamp(around.y - 0.5 * height, whole.bottom, whole.bottom + whole.height - height);
     return {left, bottom, width, height};
 }
 
@@ -214,9 +218,10 @@ std::string legend(const Mesh& mesh, double x) {
 
 } // namespace
 
-std::string mesh_picture(const Mesh& section, double gap, const std::string& title) {
+std::string mesh_picture(const Mesh& section, double gap, const std::string& title,
+                         std::optional<Point> around) {
     const Window whole = whole_of(section);
-    const Window detail = detail_of(section, gap, whole);
+    const Window detail = detail_of(around ? *around : lower_edge(section), gap, whole);
     const Panel first{section, whole, margin, 1};
     const double second_x = 2 * margin + std::max(first.width(), 120.0);
     const Panel second{section, detail, second_x, 2};

@@ -102,7 +102,8 @@ void draw_note(Drafting& drawing, const SectionScale& scale, double y, bool ends
 
 Drafting draw_single_gap(const geometry::ConcentricCylinders& instrument) {
     const SectionScale scale = scale_for(instrument.cup_radius, instrument.height);
-    const double height = drawing_height(scale, 2.0);
+    const bool is_eccentric = instrument.offset > 0.0;
+    const double height = drawing_height(scale, is_eccentric ? 3.0 : 2.0);
     Drafting drawing{width, height};
     const std::array<Layer, 3> layers{
         {{0.0, instrument.bob_radius, Material::rotor},
@@ -133,10 +134,11 @@ Drafting draw_single_gap(const geometry::ConcentricCylinders& instrument) {
         drawing.text({fluid.x, fluid.y}, RichText{"fluid"}, Anchor::middle);
     }
     draw_note(drawing, scale, height - 8.0, instrument.ends);
-    if (instrument.offset > 0.0)
-        drawing.text({width - 6.0, height - 38.0},
-                     RichText{"drawn with the bob in the middle, from which it is off"},
-                     Anchor::end, "halo soft small");
+    if (is_eccentric)
+        drawing.text({scale.at(instrument.cup_radius, 0.0).x + wall + 6.0,
+                      scale.floor_y + overhang + row_height * 3.0 + 4.0},
+                     length_text("e", "", instrument.offset)
+                         .upright(", bob's axis off the cup's; drawn centred"));
     return drawing;
 }
 

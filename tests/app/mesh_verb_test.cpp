@@ -75,6 +75,17 @@ TEST_F(MeshVerb, draws_preview_and_dimensions) {
     EXPECT_TRUE(holds(text_of(folder / "d.svg"), "42\u00a0mm"));
 }
 
+TEST_F(MeshVerb, draws_an_eccentric_bob_along_its_axis) {
+    const Outcome outcome = mesh({water, "-o", "a.msh", "--set", "mesh.cells_across_gap=4", "--set",
+                                  "geometry.offset=0.5 mm", "--set", "solver.engine=openfoam",
+                                  "--set", "mesh.extent=full", "--preview", "p.svg", "--quiet"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string picture = text_of(folder / "p.svg");
+    EXPECT_TRUE(holds(picture, ">cup<"));
+    EXPECT_FALSE(holds(picture, ">slice_bottom<"));
+    EXPECT_TRUE(holds(picture, "1.1 mm wide"));
+}
+
 TEST_F(MeshVerb, refuses_bad_requests_in_one_message_and_leaves_nothing) {
     const auto set = [](const std::string& value, const std::string& file = water) {
         return std::vector<std::string>{file, "-o", "a.msh", "--set", value};
