@@ -2,6 +2,7 @@
 
 #include "geometry/mesh_format/write_mesh.hpp"
 #include "solvers/openfoam/file_text.hpp"
+#include "solvers/openfoam/run_script.hpp"
 
 #include <fmt/format.h>
 

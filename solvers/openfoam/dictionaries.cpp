@@ -334,37 +334,4 @@ std::string disturbance_field(const CaseFacts& facts) {
 
 } // namespace
 
-std::string run_script(const CaseFacts& facts) {
-    const std::string_view application = name_of(facts.plan.application);
-    const int count = facts.scene.solver.processors;
-    const bool parallel = count > 1;
-    const std::string run = parallel ? fmt::format("mpirun -np {} {} -parallel", count, application)
-                                     : std::string(application);
-    std::string text =
-        "#!/bin/sh\n# Runs this case to its end, or on from where it stands; searle collect reads "
-        "the result.\nset -eu\ncd \"$(dirname \"$0\")\"\n"
-        ": \"${WM_PROJECT_DIR:?set it to the folder that holds OpenFOAM's etc/controlDict}\"\n";
-    if (parallel)
-        text += "[ -d processor0 ] || decomposePar >log.decomposePar 2>&1\n";
-    if (!facts.plan.steady) {
-        text += run + fmt::format(" >>log.{} 2>&1\n", application);
-    } else {
-        text += fmt::format(
-            "end=0\nfor row in $(seq 1 {}); do\n    start=$end\n    end=$((row * {}))\n"
-            "    [ -d {}$end ] && continue\n"
-            "    sed -i \"s/^endTime .*/endTime         $end;/\" system/controlDict\n"
-            "    {} >>log.{} 2>&1\n"
-            "    # a row that converged early stands where the next one starts\n"
-            "    for place in {}; do\n"
-            "        last=$(ls \"$place\" | grep -E '^[0-9]+$' | sort -n | tail -n 1)\n"
-            "        [ \"$last\" = \"$end\" ] || mv \"$place/$last\" \"$place/$end\"\n    "
-            "done\ndone\n",
-            facts.plan.speeds.speeds.size(), facts.plan.iterations, parallel ? "processor0/" : "",
-            run, application, parallel ? "processor*" : ".");
-    }
-    if (parallel)
-        text += "reconstructPar -latestTime >log.reconstructPar 2>&1\n";
-    return text;
-}
-
 } // namespace searle::solvers::openfoam

@@ -33,8 +33,6 @@ struct CaseFacts {
 [[nodiscard]] std::string solution_text(const CaseFacts& facts);
 /// system/decomposeParDict: slices along the axis or the flow.
 [[nodiscard]] std::string decomposition_text(const CaseFacts& facts);
-/// Allrun: what this program itself runs, as a shell script.
-[[nodiscard]] std::string run_script(const CaseFacts& facts);
 
 /// Names of the walls that turn with the drive, and of those at rest.
 [[nodiscard]] std::vector<std::string> rotor_patches(const geometry::Mesh& mesh);

@@ -5,6 +5,7 @@
 #include "solvers/openfoam/disk_space.hpp"
 #include "solvers/openfoam/level_reading.hpp"
 #include "solvers/openfoam/log_tail.hpp"
+#include "solvers/openfoam/run_script.hpp"
 #include "solvers/unsuitable_scene.hpp"
 
 #include <fmt/format.h>
@@ -179,22 +180,20 @@ private:
         }
     }
 
-    /// The residual of a component that hardly flows may hang although nothing moves any more: a
-    /// row whose torque has stood still for a thousand iterations ends where it is.
+    /// A row whose torque stands still ends where it is, as `Allrun` has it.
     void end_settled_row() {
-        constexpr int still = 1000;
-        constexpr double moves = 1e-10; // relative, over all of them
         if (is_settled_)
             return;
         const std::string start =
             fmt::format("{}", row_ * static_cast<std::size_t>(task_.plan.iterations));
-        const std::vector<LoadSample> loads = last_loads(task_.folder / "postProcessing/torque_bob",
-                                                         start, level_.component(), still + 200);
-        if (loads.size() < static_cast<std::size_t>(still))
+        const std::vector<LoadSample> loads =
+            last_loads(task_.folder / "postProcessing/torque_bob", start, level_.component(),
+                       settled_iterations + 200);
+        if (loads.size() < static_cast<std::size_t>(settled_iterations))
             return;
         const auto [least, most] =
             std::ranges::minmax(loads, {}, [](const LoadSample& load) { return load.value; });
-        if (!(most.value - least.value < moves * std::abs(most.value)))
+        if (!(most.value - least.value < settled_share * std::abs(most.value)))
             return;
         set_control(task_.folder, "stopAt", "writeNow");
         is_settled_ = true;

@@ -1,0 +1,82 @@
+#include "solvers/openfoam/run_script.hpp"
+
+#include <fmt/format.h>
+
+namespace searle::solvers::openfoam {
+namespace {
+
+/// A shell function that tells the solver to write and end once a row's torque stands still.
+std::string watch_function(const CaseFacts& facts) {
+    const bool is_box = std::holds_alternative<geometry::Box>(facts.scene.instrument);
+    // A line of the function object: time (x y z) of the total, then of its parts.
+    return fmt::format(R"(
+# A residual may hang although nothing moves any more: a row whose torque has stayed within {share:.0e} of
+# itself over {still} iterations is told to end.
+watch_row() {{
+    while sleep 1 && kill -0 $$ 2>/dev/null; do
+        tail -n {still} "postProcessing/torque_bob/$1/{file}" 2>/dev/null | awk -F '[ \t()]+' '
+            /^[^#]/ {{ v = ${column}; if (!n++) low = high = v; if (v < low) low = v; if (v > high) high = v }}
+            END {{ size = high < 0 ? -high : high; exit !(n == {still} && high - low < {share:.0e} * size) }}
+        ' || continue
+        sed -i "s/^stopAt .*/stopAt          writeNow;/" system/controlDict
+        return
+    done
+}}
+)",
+                       fmt::arg("share", settled_share), fmt::arg("still", settled_iterations),
+                       fmt::arg("file", is_box ? "force.dat" : "moment.dat"),
+                       fmt::arg("column", is_box ? 2 : 4));
+}
+
+std::string rows_text(const CaseFacts& facts, const std::string& run) {
+    const bool parallel = facts.scene.solver.processors > 1;
+    return fmt::format(R"(
+end=0
+for row in $(seq 1 {rows}); do
+    start=$end
+    end=$((row * {iterations}))
+    [ -d {first_place}$end ] && continue
+    sed -i -e "s/^endTime .*/endTime         $end;/" -e "s/^stopAt .*/stopAt          endTime;/" system/controlDict
+    watch_row $start &
+    watch=$!
+    code=0
+    {run} >>log.{application} 2>&1 || code=$?
+    kill $watch 2>/dev/null || true
+    wait $watch 2>/dev/null || true
+    [ $code = 0 ] || exit $code
+    # a row that ended early stands where the next one starts
+    for place in {places}; do
+        last=$(ls "$place" | grep -E '^[0-9]+$' | sort -n | tail -n 1)
+        [ "$last" = "$end" ] || mv "$place/$last" "$place/$end"
+    done
+done
+)",
+                       fmt::arg("rows", facts.plan.speeds.speeds.size()),
+                       fmt::arg("iterations", facts.plan.iterations),
+                       fmt::arg("first_place", parallel ? "processor0/" : ""), fmt::arg("run", run),
+                       fmt::arg("application", name_of(facts.plan.application)),
+                       fmt::arg("places", parallel ? "processor*" : "."));
+}
+
+} // namespace
+
+std::string run_script(const CaseFacts& facts) {
+    const std::string_view application = name_of(facts.plan.application);
+    const int count = facts.scene.solver.processors;
+    const bool parallel = count > 1;
+    const std::string run = parallel ? fmt::format("mpirun -np {} {} -parallel", count, application)
+                                     : std::string(application);
+    std::string text =
+        "#!/bin/sh\n# Runs this case to its end, or on from where it stands; searle collect reads "
+        "the result.\nset -eu\ncd \"$(dirname \"$0\")\"\n"
+        ": \"${WM_PROJECT_DIR:?set it to the folder that holds OpenFOAM's etc/controlDict}\"\n";
+    if (parallel)
+        text += "[ -d processor0 ] || decomposePar >log.decomposePar 2>&1\n";
+    text += facts.plan.steady ? watch_function(facts) + rows_text(facts, run)
+                              : fmt::format("{} >>log.{} 2>&1\n", run, application);
+    if (parallel)
+        text += "reconstructPar -latestTime >log.reconstructPar 2>&1\n";
+    return text;
+}
+
+} // namespace searle::solvers::openfoam
