@@ -57,6 +57,12 @@ std::vector<double> speeds_of(const EndsOptions& options, const solvers::Scene& 
 
 int ends(const EndsOptions& options) {
     const Case source = read_case(options.case_file, options.overrides);
+    if (source.scene.profile)
+        throw EngineMissing(fmt::format(
+            "{}: geometry.type: a profile has no rotor without ends to compare with, so no c_L; "
+            "searle run with solver.engine = \"openfoam\" gives its torque. This table is of a "
+            "din-bob, and of a single-gap or double-gap with ends = true",
+            source.file.string()));
     if (!geometry::has_ends(source.scene.instrument))
         throw EngineMissing(fmt::format(
             "{}: geometry.type: this {} is a slice without ends; a din-bob has them, and so has a "

@@ -155,6 +155,28 @@ std::optional<std::string> stress_unit_of_consistency(std::string_view unit) {
     return std::nullopt;
 }
 
+/// "Pa.s^0.35" -> "Pa.s^n": the unit that was meant by one whose power is a number.
+std::optional<std::string> with_power_as_letter(std::string_view unit) {
+    for (const std::string_view power : {std::string_view{"s^"}, std::string_view{"s**"}}) {
+        const std::size_t at = unit.find(power);
+        if (at == std::string_view::npos)
+            continue;
+        const std::size_t number = at + power.size();
+        const std::size_t end =
+            std::min(unit.find_first_not_of("0123456789.,", number), unit.size());
+        if (end == number)
+            return std::nullopt;
+        const std::string meant =
+            std::string{unit.substr(0, number)} + "n" + std::string{unit.substr(end)};
+        const auto rest = stress_unit_of_consistency(meant);
+        const auto found = unit_named(rest.value_or(""));
+        const Unit* stress_unit = std::get_if<Unit>(&found);
+        if (rest && stress_unit && stress_unit->dimension == stress.dimension)
+            return meant;
+    }
+    return std::nullopt;
+}
+
 bool asks_for_consistency(std::span<const QuantityKind> kinds) {
     return kinds.size() == 1 && kinds.front().si_unit == consistency.si_unit;
 }
@@ -180,6 +202,13 @@ std::variant<Quantity, QuantityFault> parse_consistency(const Decimal& decimal,
                             "the flow index n",
                             unit_text),
                 fmt::format("{}^n", unit_text)};
+        if (const auto meant = with_power_as_letter(unit_text))
+            return QuantityFault{
+                fmt::format(
+                    "has the unit \"{}\"; the power is the flow index n, which has a key of "
+                    "its own (flow_index)",
+                    unit_text),
+                *meant};
         return QuantityFault{
             fmt::format("has the unit \"{}\", which is not a stress times s^n", unit_text), {}};
     }

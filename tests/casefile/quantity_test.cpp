@@ -129,6 +129,18 @@ TEST(quantity, consistency_has_a_rule_of_its_own) {
                 1e-12);
 }
 
+TEST(quantity, a_number_as_the_power_of_a_consistency_is_told_to_be_n) {
+    for (const auto& [written, meant] :
+         {std::pair{"1 Pa.s^0.35", "Pa.s^n"}, std::pair{"1 mPa*s**0.5", "mPa*s**n"},
+          std::pair{"1 lbf.s^0.7/ft^2", "lbf.s^n/ft^2"}}) {
+        const QuantityFault number = fault(written, casefile::consistency);
+        EXPECT_EQ(number.suggestion, meant);
+        EXPECT_NE(number.problem.find("flow_index"), std::string::npos);
+    }
+    for (const char* written : {"1 m.s^0.35", "1 Pa.s^", "1 Pa.s^x", "1 s^0.5"})
+        EXPECT_EQ(fault(written, casefile::consistency).suggestion, "") << written;
+}
+
 TEST(quantity, viscosity_unit_is_refused_for_a_consistency) {
     const QuantityFault plain = fault("0.5 Pa.s", casefile::consistency);
     EXPECT_NE(plain.problem.find("of a viscosity"), std::string::npos) << plain.problem;
