@@ -61,8 +61,7 @@ RandomCase particle_case(Draw& draw) {
     // As stiff as the shear needs for small overlaps, and two decades to either side.
     const double stiffness =
         6.0 * 3.14159265358979 * viscosity * diameter * rate * draw.log_between(10.0, 1e5);
-    const char* level = walls ? draw.one_of({"drag", "stresslet"})
-                              : draw.one_of({"drag", "stresslet", "lubrication"});
+    const char* level = draw.one_of({"drag", "stresslet", "lubrication"});
     RandomCase result;
     result.kind =
         fmt::format("{} {}{}", walls ? "walls" : "lees-edwards", level, colloid ? " dlvo" : "");

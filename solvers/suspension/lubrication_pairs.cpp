@@ -1,6 +1,7 @@
 #include "solvers/suspension/lubrication_pairs.hpp"
 
 #include "laws/lubrication/near_contact.hpp"
+#include "laws/lubrication/near_wall.hpp"
 #include "solvers/particles/pair_vector.hpp"
 
 #include <algorithm>
@@ -8,6 +9,14 @@
 
 namespace searle::solvers::suspension {
 namespace {
+
+void set_film(const laws::lubrication::Film& film, double length_unit, NearPair& pair) {
+    pair.squeeze = pair.film_squeeze = film.squeeze;
+    pair.shear = pair.film_shear = film.shear;
+    pair.mixed = film.mixed / length_unit;
+    pair.pump = film.pump / (length_unit * length_unit);
+    pair.twist = film.twist / (length_unit * length_unit);
+}
 
 /// Force of the colloid and how much it rises per approach, N and N/m, where it rises.
 template <class Colloid>
@@ -24,10 +33,15 @@ void add_colloid(const Colloid& colloid, double gap, double r_1, double r_2, Nea
     }
 }
 
+/// Tangential displacement of the second against the first, m.
+struct Displacement {
+    double x{}, y{}, z{};
+};
+
 /// Without inertia a dashpot has nothing to do that the film does not.
 template <class Law>
-void add_contact(const Law& law, double overlap, double reduced_radius, std::size_t listed,
-                 const particles::NeighbourList& list, NearPair& pair) {
+void add_contact(const Law& law, double overlap, double reduced_radius, const Displacement& moved,
+                 NearPair& pair) {
     const laws::contact::ContactSpring spring = law.at(overlap, reduced_radius, 0.0);
     pair.touches = true;
     pair.stiffness = spring.slope;
@@ -35,13 +49,12 @@ void add_contact(const Law& law, double overlap, double reduced_radius, std::siz
     pair.push += pair.contact_push;
     if (law.friction == 0.0)
         return;
-    const double along = list.spring_x[listed] * pair.nx + list.spring_y[listed] * pair.ny +
-                         list.spring_z[listed] * pair.nz;
+    const double along = moved.x * pair.nx + moved.y * pair.ny + moved.z * pair.nz;
     const double stiffness = spring.tangential;
     pair.spring = stiffness;
-    pair.tx = -stiffness * (list.spring_x[listed] - along * pair.nx);
-    pair.ty = -stiffness * (list.spring_y[listed] - along * pair.ny);
-    pair.tz = -stiffness * (list.spring_z[listed] - along * pair.nz);
+    pair.tx = -stiffness * (moved.x - along * pair.nx);
+    pair.ty = -stiffness * (moved.y - along * pair.ny);
+    pair.tz = -stiffness * (moved.z - along * pair.nz);
     const double size = std::sqrt(pair.tx * pair.tx + pair.ty * pair.ty + pair.tz * pair.tz);
     const double limit = law.friction * pair.contact_push;
     pair.tangential_stiffness = stiffness;
@@ -93,20 +106,15 @@ particles::PairSums gather_near_pairs(const particles::ParticleStore& p,
             const laws::lubrication::Film film =
                 laws::lubrication::film(rough, p.radius[i], p.radius[j], settings.viscosity,
                                         laws::lubrication::Squeeze::leading);
-            pair.squeeze = film.squeeze;
-            pair.shear = film.shear;
-            pair.mixed = film.mixed / settings.length_unit;
-            pair.pump = film.pump / (settings.length_unit * settings.length_unit);
-            pair.twist = film.twist / (settings.length_unit * settings.length_unit);
+            set_film(film, settings.length_unit, pair);
         }
-        pair.film_squeeze = pair.squeeze;
-        pair.film_shear = pair.shear;
         std::visit([&](const auto& law) { add_colloid(law, gap, p.radius[i], p.radius[j], pair); },
                    colloid);
         if (contact && gap < 0.0) {
             std::visit(
                 [&](const auto& law) {
-                    add_contact(law, -gap, p.radius[i] * p.radius[j] / radii, k, list, pair);
+                    add_contact(law, -gap, p.radius[i] * p.radius[j] / radii,
+                                {list.spring_x[k], list.spring_y[k], list.spring_z[k]}, pair);
                 },
                 *contact);
             ++sums.contacts;
@@ -121,6 +129,54 @@ particles::PairSums gather_near_pairs(const particles::ParticleStore& p,
         pair.shear += step * pair.tangential_stiffness;
         pairs.push_back(pair);
     }
+    return sums;
+}
+
+particles::WallSums gather_wall_pairs(const particles::ParticleStore& p,
+                                      const particles::ShearBox& box,
+                                      const particles::NeighbourList& list,
+                                      const LubricationSettings& settings,
+                                      const std::optional<laws::contact::AnyContact>& contact,
+                                      double step, particles::AlignedVector<NearPair>& pairs) {
+    particles::WallSums sums;
+    const auto gather = [&](const particles::AlignedVector<int>& near, bool upper,
+                            const particles::Column& moved_x, const particles::Column& moved_z) {
+        for (const int index : near) {
+            const auto i = static_cast<std::size_t>(index);
+            const double radius = p.radius[i];
+            const double distance = upper ? box.length_y - p.y[i] : p.y[i];
+            const double gap = distance - radius;
+            if (gap >= settings.farthest_gap * radius)
+                continue;
+            NearPair pair{};
+            pair.first = pair.listed = index;
+            pair.second = static_cast<int>(p.size()) + (upper ? 1 : 0);
+            pair.ny = upper ? 1.0 : -1.0;
+            pair.distance = distance;
+            pair.lever_first = distance / settings.length_unit;
+            set_film(laws::lubrication::wall_film(std::max(gap, 0.0) + settings.roughness * radius,
+                                                  radius, settings.viscosity,
+                                                  laws::lubrication::Squeeze::leading),
+                     settings.length_unit, pair);
+            if (contact && gap < 0.0) {
+                std::visit(
+                    [&](const auto& law) {
+                        add_contact(law, -gap, radius, {moved_x[i], 0.0, moved_z[i]}, pair);
+                    },
+                    *contact);
+                ++sums.contacts;
+                if (-gap > sums.largest_overlap) {
+                    sums.largest_overlap = -gap;
+                    sums.deepest = p.id[i];
+                }
+            }
+            pair.squeeze += step * pair.stiffness;
+            pair.shear += step * pair.tangential_stiffness;
+            pairs.push_back(pair);
+        }
+    };
+    gather(list.near_lower, false, list.lower_x, list.lower_z);
+    gather(list.near_upper, true, list.upper_x, list.upper_z);
     return sums;
 }
 

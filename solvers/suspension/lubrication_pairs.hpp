@@ -4,6 +4,7 @@
 #include "solvers/particles/aligned_vector.hpp"
 #include "solvers/particles/neighbour_list.hpp"
 #include "solvers/particles/pair_forces.hpp"
+#include "solvers/particles/wall_forces.hpp"
 
 #include <array>
 #include <optional>
@@ -15,13 +16,18 @@ namespace searle::solvers::suspension {
 using Motion = std::array<double, 8>;
 using Motions = particles::AlignedVector<Motion>;
 
-/// One near pair: the film between it, its springs as they resist the motion within a step, and the
-/// force that acts without motion.
+/// Length of Motions of so many particles: the last two are the lower and the upper wall's, and
+/// stay 0. (Against the mean shear walls do turn, by half of its rate: a right side has that.)
+inline std::size_t motions_for(std::size_t particles) { return particles + 2; }
+
+/// One near pair, of two particles or of a particle and a wall: the film between it, its springs as
+/// they resist the motion within a step, and the force that acts without motion.
 struct NearPair {
-    int first, second;
-    int listed;                       ///< its place in the neighbour list
+    int first,
+        second; ///< the number of particles stands for the lower wall, one more for the upper
+    int listed; ///< its place in the neighbour list; of a wall the particle
     double nx, ny, nz;                ///< unit vector from first to second
-    double distance;                  ///< of the centres, m
+    double distance;                  ///< of the centres, of a wall from the centre to it, m
     double lever_first, lever_second; ///< centre to the middle of the gap, over the length unit
     double squeeze, shear, mixed, pump, twist; ///< film; springs times the step are added
     double film_squeeze, film_shear;           ///< of the film alone
@@ -50,6 +56,15 @@ particles::PairSums gather_near_pairs(const particles::ParticleStore& particles,
                                       const std::optional<laws::contact::AnyContact>& contact,
                                       const particles::AnyColloid& colloid, double step,
                                       particles::AlignedVector<NearPair>& pairs);
+
+/// Appends the particles near a wall, which has the same law of contact and no colloidal forces.
+/// @return sums over the contacts: numbers, overlap and who has it
+particles::WallSums gather_wall_pairs(const particles::ParticleStore& particles,
+                                      const particles::ShearBox& box,
+                                      const particles::NeighbourList& list,
+                                      const LubricationSettings& settings,
+                                      const std::optional<laws::contact::AnyContact>& contact,
+                                      double step, particles::AlignedVector<NearPair>& pairs);
 
 /// Adds the resistance of all pairs times the motions.
 void add_resistance(const particles::AlignedVector<NearPair>& pairs, const Motions& motions,

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "solvers/suspension/lubrication_pairs.hpp"
+#include "solvers/suspension/mixture_profile.hpp"
+#include "solvers/suspension/resistance_solver.hpp"
 #include "solvers/suspension/suspension_input.hpp"
 #include "solvers/suspension/suspension_motion.hpp"
 
@@ -14,16 +16,17 @@ inline constexpr double farthest_film = 0.5;
 /// Gap over the mean radius that roughness adds to every film (as LF_DEM).
 inline constexpr double film_roughness = 1e-3;
 
-/// Particles without inertia in uniform shear (Lees-Edwards), each with Stokes' drag and torque,
-/// near pairs with the film between them (laws/lubrication), contacts and colloidal forces:
-///     (D + R) V = F - R V_affine,  V against the mean flow,
-/// symmetric and positive definite, solved by conjugate gradients with blocks of 6 as
-/// preconditioner, starting from the velocities of the step before. The springs of contacts and
-/// colloid enter as at the step's end, so that their stiffness does not limit it. First order in
-/// time.
+/// Particles without inertia in uniform shear (Lees-Edwards) or between walls, each with Stokes'
+/// drag and torque, near pairs and particles near a wall with the film between them
+/// (laws/lubrication), contacts and colloidal forces:
+///     (D + R) V = F - R V_affine,  V against the mean shear,
+/// between walls with the fluid's profile solved for together (MixtureProfile). The springs of
+/// contacts and colloid enter as at the step's end, so that their stiffness does not limit it.
+/// First order in time.
 ///
 /// Stress: 2.5 phi mu rate of the isolated stresslets, and the symmetric first moments of the
-/// films', contacts' and colloid's forces (the fluid's couples balance their antisymmetric part).
+/// films', contacts' and colloid's forces (the fluid's couples balance their antisymmetric part);
+/// with walls also the couples of their films, so that the mean is what the moving wall feels.
 class OverdampedMotion final : public SuspensionMotion {
 public:
     explicit OverdampedMotion(SuspensionInput input);
@@ -37,13 +40,22 @@ public:
     [[nodiscard]] const particles::ParticleStore& particles() const override { return particles_; }
     [[nodiscard]] const particles::ShearBox& box() const override { return box_; }
     [[nodiscard]] StepCounts counts() const override { return counts_; }
-    [[nodiscard]] std::vector<double> fluid_velocity() const override { return {}; }
+    [[nodiscard]] std::vector<double> fluid_velocity() const override;
 
 private:
     [[nodiscard]] double choose_step(double rate) const;
+    [[nodiscard]] bool is_wall(const NearPair& pair) const {
+        return static_cast<std::size_t>(pair.second) >= particles_.size();
+    }
+    [[nodiscard]] bool is_upper_wall(const NearPair& pair) const {
+        return static_cast<std::size_t>(pair.second) > particles_.size();
+    }
+    /// A wall's turn about z against the mean shear, which turns by -rate / 2; in Motion's unit.
+    [[nodiscard]] double wall_roll(double rate) const { return 0.5 * rate * films_.length_unit; }
+    void check_overlaps() const;
     void set_right_side(double rate);
-    void precondition();
-    void solve();
+    void solve(double rate);
+    void keep_spring(const NearPair& pair, double x, double y, double z);
     [[nodiscard]] StressSample move(double step, double rate);
 
     SuspensionInput input_;
@@ -56,14 +68,15 @@ private:
     particles::NeighbourList list_;
     particles::AlignedVector<NearPair> pairs_;
     particles::PairSums sums_;
-    Motions motion_; ///< against the mean flow; of the last step until solved
+    particles::WallSums wall_sums_;
+    double residual_share_; ///< of the forces, that a solve may leave over
+    ResistanceSolver solver_;
+    std::optional<MixtureProfile> profile_; ///< between walls
+    Motions motion_; ///< against the mean shear; of the last step until solved
     Motions right_side_;
-    Motions residual_, direction_, image_, scaled_;
-    particles::AlignedVector<std::array<double, 36>> blocks_; ///< inverse of the diagonal blocks
-    particles::AlignedVector<char> paired_; ///< whether a particle has a near pair
-    particles::Column drag_, turning_drag_;
     double step_{};
-    double fastest_{};         ///< of the last step, against the mean flow, m/s
+    double fastest_{};         ///< of the last step, against the fluid's mean flow, m/s
+    double farthest_moved_{};  ///< in the last step, against the mean shear, m
     double fastest_closing_{}; ///< along the centres of a pair with colloidal forces, m/s
     double time_{};
     StepCounts counts_;

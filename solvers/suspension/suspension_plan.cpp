@@ -141,7 +141,7 @@ std::vector<PlanItem> items_for(const Scene& scene, const Forecast& forecast,
         const std::size_t worst =
             row_of_largest(forecast, [&](std::size_t i) { return forecast.rows[i].lag_share; });
         items.push_back(
-            {"inertia", walls && settings.hydrodynamics != Hydrodynamics::lubrication,
+            {"inertia", walls,
              walls ? fmt::format("The fluid's inertia is up to {} of the stress (row {}).",
                                  percent(forecast.rows[worst].lag_share), worst + 1)
                    : std::string("Sheared everywhere at once, the fluid has nothing "
@@ -199,8 +199,6 @@ double expected_seconds(const Scene& scene, const Forecast& forecast,
 
 /// Why lubrication cannot be had for these settings; empty when it can.
 std::string against_lubrication(const ParticleSettings& settings) {
-    if (settings.boundary == ParticleBoundary::walls)
-        return "between walls (boundary = \"lees-edwards\" has it in the bulk)";
     if (settings.brownian)
         return "with thermal motion (brownian = false has it)";
     if (settings.gravity)
@@ -260,7 +258,11 @@ SuspensionChoice choose(const Scene& scene) {
     }
     const bool lubricated = settings.hydrodynamics == Hydrodynamics::lubrication;
     if (lubricated) {
-        choice.why_integrator = "With lubrication the motion is overdamped: no inertia.";
+        choice.why_integrator =
+            settings.boundary == ParticleBoundary::walls
+                ? "With lubrication the motion is overdamped: the particles' mass moves with the "
+                  "fluid around them."
+                : "With lubrication the motion is overdamped: no inertia.";
         settings.integrator = Integrator::overdamped;
     } else if (settings.integrator == Integrator::explicit_steps) {
         choice.why_integrator = "integrator = \"explicit\": velocity Verlet, as asked.";
@@ -295,12 +297,13 @@ void plan_suspension(const Scene& scene, Forecast& forecast, Plan& plan) {
                         : choice.settings.hydrodynamics == Hydrodynamics::stresslet ? "stresslet"
                                                                                     : "lubrication";
     plan.model = fmt::format("suspension, {}", level);
-    plan.model_reason =
-        fmt::format("The case has particles: their motion is computed one by one, {}. {}",
-                    choice.settings.boundary == ParticleBoundary::walls
-                        ? "four-way coupled with the fluid between the walls"
-                        : "in uniform shear without walls",
-                    choice.why_hydrodynamics);
+    plan.model_reason = fmt::format(
+        "The case has particles: their motion is computed one by one, {}. {}",
+        choice.settings.boundary != ParticleBoundary::walls ? "in uniform shear without walls"
+        : choice.settings.hydrodynamics == Hydrodynamics::lubrication
+            ? "together with the fluid between the walls"
+            : "four-way coupled with the fluid between the walls",
+        choice.why_hydrodynamics);
     plan.can_be_solved = true;
     if (choice.settings.boundary != ParticleBoundary::walls)
         // Sheared everywhere at once: nothing lags behind a wall.

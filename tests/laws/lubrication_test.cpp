@@ -1,4 +1,5 @@
 #include "laws/lubrication/near_contact.hpp"
+#include "laws/lubrication/near_wall.hpp"
 
 #include <gtest/gtest.h>
 
@@ -53,6 +54,55 @@ TEST(NearContact, loses_power_whatever_the_motion_and_does_not_know_first_from_s
             EXPECT_NEAR(other.pump / one.pump, 1.0, 1e-10);
             EXPECT_NEAR(other.mixed, -one.mixed, 1e-12 * one.pump);
         }
+}
+
+// Goldman, Cox & Brenner (1967) and Cox & Brenner (1967), the logarithms of their near solutions.
+TEST(NearWall, sliding_turning_and_squeezing_have_the_known_coefficients) {
+    const double xi = 1e-5;
+    const double a = 2.0;
+    const double log = std::log(1.0 / xi);
+    const Film at = wall_film(xi * a, a, 1.0, Squeeze::both);
+    // Sliding without turning: force and torque. The slip is U, then a W.
+    EXPECT_NEAR(at.shear / (6 * pi * a * log), 8.0 / 15.0, 1e-12);
+    EXPECT_NEAR((at.shear * a + at.mixed) / (8 * pi * a * a * log), 0.1, 1e-12);
+    EXPECT_NEAR((at.shear * a + at.mixed) / (6 * pi * a * a * log), 2.0 / 15.0, 1e-12);
+    EXPECT_NEAR((at.shear * a * a + 2 * at.mixed * a + at.pump) / (8 * pi * a * a * a * log), 0.4,
+                1e-12);
+    EXPECT_NEAR(at.squeeze / (6 * pi * a), 1.0 / xi + 0.2 * log, 1e-6);
+    // 1.2020569 is zeta(3), Jeffery's (1915) torque at contact.
+    EXPECT_NEAR(1.0 + twist_beside_wall(0.0), 1.2020569, 4e-3);
+    EXPECT_NEAR(1.0 + twist_beside_wall(1e-3), 1.2020569, 1.2e-2);
+    // Far away the wall's image: 1 + (a / h)^3 / 8 of the centre's distance h.
+    EXPECT_NEAR(twist_beside_wall(19.0) * 8.0 * std::pow(20.0, 3), 1.0, 2e-3);
+}
+
+// The wall is a sphere without end: what is left falls as the ratio of radii. Logarithms are
+// compared by their factors, for the scale in them differs.
+TEST(NearWall, is_the_limit_of_a_large_second_sphere) {
+    double before = 1.0;
+    for (const double ratio : {1e2, 1e3, 1e4}) {
+        const double gap = 1e-8;
+        const Film pair = film(gap, 1.0, ratio, 1.0, Squeeze::leading);
+        const Film wall = wall_film(gap, 1.0, 1.0, Squeeze::leading);
+        const double scale =
+            std::log(1.0 / gap) / std::log(0.5 * (1.0 + ratio) / gap); // of the logarithms
+        const double off = std::max({std::abs(pair.squeeze / wall.squeeze - 1.0),
+                                     std::abs(scale * pair.shear / wall.shear - 1.0),
+                                     std::abs(scale * pair.mixed / wall.mixed - 1.0),
+                                     std::abs(scale * pair.pump / wall.pump - 1.0)});
+        EXPECT_LT(off, 10.0 / ratio);
+        EXPECT_LT(off, 0.12 * before);
+        before = off;
+    }
+}
+
+TEST(NearWall, loses_power_whatever_the_motion) {
+    for (const double xi : {1e-6, 1e-3, 0.1, 0.5, 0.9}) {
+        const Film at = wall_film(xi, 1.0, 1.0, Squeeze::both);
+        EXPECT_GT(at.shear * at.pump, at.mixed * at.mixed);
+        EXPECT_GT(at.squeeze, 0.0);
+        EXPECT_GT(at.twist, 0.0);
+    }
 }
 
 } // namespace
