@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using solvers::suspension::Checkpoint;
 
-constexpr int format = 5;
+constexpr int format = 6;
 constexpr const char* checksum_column = "checksum";
 
 std::string identity(const std::string& case_hash) {

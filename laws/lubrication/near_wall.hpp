@@ -28,8 +28,11 @@ namespace searle::laws::lubrication {
 ///     squeeze 6 pi mu a (1/xi + ln(1/xi)/5)        (Cox & Brenner 1967, Chem. Eng. Sci. 22, 1753)
 ///     force of sliding 6 pi mu a 8/15 ln(1/xi), torque of turning 8 pi mu a^3 2/5 ln(1/xi), of one
 ///     by the other 8 pi mu a^2 1/10 ln(1/xi)       (Goldman, Cox & Brenner 1967, ibid. 22, 637)
-/// With Stokes' drag the sphere by itself has 1 and 1 for their 0.9588 and 0.3709 beside the
-/// logarithms of sliding and turning.
+/// With Stokes' drag the sphere by itself has 1 and 1 beside the logarithms of sliding and turning,
+/// for 0.9543 and 0.3709 (Chaoui & Feuillebois 2003, Q. J. Mech. Appl. Math. 56, 381). What is left
+/// out is that a shear flow pushes a sphere held near a wall 1.7 times as hard as Stokes' drag
+/// (Goldman, Cox & Brenner 1967, part II, ibid. 653): a lone sphere beside a wall moves 30 to 35 %
+/// slower than theirs. In a dense layer its neighbours decide.
 /// @param gap m, > 0  @param viscosity Pa s
 [[nodiscard]] inline Film wall_film(double gap, double radius, double viscosity, Squeeze terms) {
     constexpr double pi = std::numbers::pi;

@@ -150,7 +150,7 @@ int run_program(const ChildProgram& program, const std::function<void()>& watch)
             end_group(child);
             throw;
         }
-        end.wait_for(20ms);
+        end.wait_for(50ms);
     }
 }
 

@@ -22,7 +22,7 @@ struct ChildProgram {
 
 /// Runs a program in a process group of its own, so that a Ctrl-C at the terminal reaches this
 /// program alone, and waits for it.
-/// @param watch  called about every 20 ms, and must be quick. What it throws ends the program and
+/// @param watch  called about every 50 ms, and must be quick. What it throws ends the program and
 ///               all it started (SIGTERM, after 5 s SIGKILL) and is passed on.
 /// @return exit code; 128 + signal where a signal ended it
 /// Throws StartFailure.

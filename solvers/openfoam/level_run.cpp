@@ -168,7 +168,7 @@ private:
             return;
         }
         try {
-            if (now - last_look_ > std::chrono::milliseconds(250)) {
+            if (now - last_look_ > std::chrono::milliseconds(500)) {
                 last_look_ = now;
                 look();
             }
@@ -186,15 +186,18 @@ private:
             return;
         const std::string start =
             fmt::format("{}", row_ * static_cast<std::size_t>(task_.plan.iterations));
-        const std::vector<LoadSample> loads =
-            last_loads(task_.folder / "postProcessing/torque_bob", start, level_.component(),
-                       settled_iterations + 200);
-        if (loads.size() < static_cast<std::size_t>(settled_iterations))
-            return;
-        const auto [least, most] =
-            std::ranges::minmax(loads, {}, [](const LoadSample& load) { return load.value; });
-        if (!(most.value - least.value < settled_share * std::abs(most.value)))
-            return;
+        // What still moves is told by a few of the last ones.
+        constexpr int few = 20;
+        for (const int count : {few, settled_iterations + 200}) {
+            const std::vector<LoadSample> loads = last_loads(
+                task_.folder / "postProcessing/torque_bob", start, level_.component(), count);
+            if (loads.size() < static_cast<std::size_t>(count == few ? few : settled_iterations))
+                return;
+            const auto [least, most] =
+                std::ranges::minmax(loads, {}, [](const LoadSample& load) { return load.value; });
+            if (!(most.value - least.value < settled_share * std::abs(most.value)))
+                return;
+        }
         set_control(task_.folder, "stopAt", "writeNow");
         is_settled_ = true;
     }

@@ -20,7 +20,7 @@ double rest_of_impulse(const ParticleStore& p, const Surroundings& s, const Colu
 } // namespace
 
 FluidProfile::FluidProfile(const ProfileOptions& options)
-    : options_(options), spacing_(options.gap / options.cells) {
+    : options_(options), elements_(options.gap, options.cells) {
     const auto nodes = static_cast<std::size_t>(options.cells) + 1;
     for (std::vector<double>* column : {&velocity_, &fraction_, &viscous_force_, &drag_diagonal_,
                                         &drag_beside_, &drag_load_, &predicted_})
@@ -30,29 +30,20 @@ FluidProfile::FluidProfile(const ProfileOptions& options)
 }
 
 void FluidProfile::set_uniform_shear(double wall_speed) {
-    for (std::size_t k = 0; k < velocity_.size(); ++k)
-        velocity_[k] = wall_speed * static_cast<double>(k) / options_.cells;
-}
-
-std::size_t FluidProfile::element_of(double y, double& upper_weight) const {
-    const double place = std::clamp(y / spacing_, 0.0, static_cast<double>(options_.cells));
-    const int element = std::min(static_cast<int>(place), options_.cells - 1);
-    upper_weight = place - element;
-    return static_cast<std::size_t>(element);
+    velocity_ = elements_.uniform_shear(wall_speed);
 }
 
 void FluidProfile::gather_fractions(const ParticleStore& p) {
     std::fill(fraction_.begin(), fraction_.end(), 0.0);
     std::fill(element_fraction_.begin(), element_fraction_.end(), 0.0);
     for (std::size_t i = 0; i < p.size(); ++i) {
-        double upper = 0.0;
-        const std::size_t e = element_of(p.y[i], upper);
+        const auto [e, upper] = elements_.place(p.y[i]);
         const double volume = p.volume(i);
         fraction_[e] += (1.0 - upper) * volume;
         fraction_[e + 1] += upper * volume;
         element_fraction_[e] += volume;
     }
-    const double cell = spacing_ * options_.wall_area;
+    const double cell = elements_.spacing * options_.wall_area;
     for (std::size_t k = 0; k < fraction_.size(); ++k) {
         const bool at_wall = k == 0 || k + 1 == fraction_.size();
         // Round-off aside a plane cannot hold more than the densest packing.
@@ -68,8 +59,7 @@ void FluidProfile::assemble(const ParticleStore& p, Surroundings& s, const Colum
     std::fill(drag_beside_.begin(), drag_beside_.end(), 0.0);
     std::fill(drag_load_.begin(), drag_load_.end(), 0.0);
     for (std::size_t i = 0; i < p.size(); ++i) {
-        double upper = 0.0;
-        const std::size_t e = element_of(p.y[i], upper);
+        const auto [e, upper] = elements_.place(p.y[i]);
         const double lower = 1.0 - upper;
         // Impulse of the drag in the step to come: K u + rest, u the fluid's velocity there.
         const double coupling = -p.mass[i] * std::expm1(-step * s.drag[i] / p.mass[i]);
@@ -88,11 +78,10 @@ void FluidProfile::assemble(const ParticleStore& p, Surroundings& s, const Colum
     if (!options_.stresslets)
         return;
     std::fill(couple_.begin(), couple_.end(), 0.0);
-    const double cell = spacing_ * options_.wall_area;
+    const double cell = elements_.spacing * options_.wall_area;
     for (std::size_t i = 0; i < p.size(); ++i) {
-        double upper = 0.0;
-        const std::size_t e = element_of(p.y[i], upper);
-        const double spin = -0.5 * (velocity_[e + 1] - velocity_[e]) / spacing_;
+        const auto [e, upper] = elements_.place(p.y[i]);
+        const double spin = -0.5 * (velocity_[e + 1] - velocity_[e]) / elements_.spacing;
         couple_[e] -= s.rotational_drag[i] * (spin - p.wz[i]) / cell;
     }
 }
@@ -102,10 +91,10 @@ WallShear FluidProfile::advance(const ParticleStore& p, Surroundings& s, const C
     assemble(p, s, forces_x, step);
     const std::size_t last = velocity_.size() - 1;
     const double area = options_.wall_area;
-    const double per_spacing = area / spacing_;
+    const double per_spacing = area / elements_.spacing;
     const auto inertia = [&](std::size_t k) {
         const double share = k == 0 || k == last ? 0.5 : 1.0;
-        return share * options_.density * (1.0 - fraction_[k]) * spacing_ * area;
+        return share * options_.density * (1.0 - fraction_[k]) * elements_.spacing * area;
     };
     const auto stiffness = [&](std::size_t e) {
         const double particles = options_.stresslets ? 2.5 * element_fraction_[e] : 0.0;
@@ -150,13 +139,13 @@ WallShear FluidProfile::advance(const ParticleStore& p, Surroundings& s, const C
         viscous_force_[k] = options_.viscosity * per_spacing *
                             (velocity_[k + 1] - 2.0 * velocity_[k] + velocity_[k - 1]);
     WallShear wall;
-    const double slope = (velocity_[last] - velocity_[last - 1]) / spacing_;
+    const double slope = (velocity_[last] - velocity_[last - 1]) / elements_.spacing;
     wall.viscous = options_.viscosity * slope +
                    inertia(last) * (velocity_[last] - before[last]) / (step * area);
     wall.stresslet =
         (stiffness(last - 1) / per_spacing - options_.viscosity) * slope + couple(last - 1) / area;
     wall.drag = impulses[last] / (step * area);
-    const double lower_slope = (velocity_[1] - velocity_[0]) / spacing_;
+    const double lower_slope = (velocity_[1] - velocity_[0]) / elements_.spacing;
     const double lower = -(stiffness(0) / per_spacing * lower_slope * area + couple(0)) * step +
                          inertia(0) * (velocity_[0] - before[0]) + impulses[0];
     wall_impulse_ += (wall.viscous + wall.stresslet + wall.drag) * area * step + lower;
@@ -167,8 +156,7 @@ WallShear FluidProfile::advance(const ParticleStore& p, Surroundings& s, const C
     for (std::size_t k = 0; k <= last; ++k)
         predicted_[k] = 0.0;
     for (std::size_t i = 0; i < p.size(); ++i) {
-        double upper = 0.0;
-        const std::size_t e = element_of(p.y[i], upper);
+        const auto [e, upper] = elements_.place(p.y[i]);
         const double coupling = -p.mass[i] * std::expm1(-step * s.drag[i] / p.mass[i]);
         const double flow = velocity_[e] + upper * (velocity_[e + 1] - velocity_[e]);
         const double impulse = coupling * flow + rest_of_impulse(p, s, forces_x, i, coupling, step);
@@ -180,10 +168,9 @@ WallShear FluidProfile::advance(const ParticleStore& p, Surroundings& s, const C
 
 void FluidProfile::interpolate_mixture(const ParticleStore& p, Surroundings& s,
                                        Column& fluid_fraction) const {
-    const double cell = spacing_ * options_.wall_area;
+    const double cell = elements_.spacing * options_.wall_area;
     for (std::size_t i = 0; i < p.size(); ++i) {
-        double upper = 0.0;
-        const std::size_t e = element_of(p.y[i], upper);
+        const auto [e, upper] = elements_.place(p.y[i]);
         const double force =
             viscous_force_[e] + upper * (viscous_force_[e + 1] - viscous_force_[e]);
         s.viscous_x[i] = options_.model_a ? p.volume(i) * force / cell : 0.0;
@@ -193,11 +180,10 @@ void FluidProfile::interpolate_mixture(const ParticleStore& p, Surroundings& s,
 
 void FluidProfile::interpolate_flow(const ParticleStore& p, Surroundings& s) const {
     for (std::size_t i = 0; i < p.size(); ++i) {
-        double upper = 0.0;
-        const std::size_t e = element_of(p.y[i], upper);
+        const auto [e, upper] = elements_.place(p.y[i]);
         const double rise = velocity_[e + 1] - velocity_[e];
         s.flow_x[i] = velocity_[e] + upper * rise;
-        s.spin_z[i] = -0.5 * rise / spacing_;
+        s.spin_z[i] = -0.5 * rise / elements_.spacing;
     }
 }
 
@@ -207,7 +193,7 @@ double FluidProfile::mean_stresslet() const {
     double sum = 0.0;
     for (std::size_t e = 0; e < element_fraction_.size(); ++e)
         sum += 2.5 * element_fraction_[e] * options_.viscosity * (velocity_[e + 1] - velocity_[e]) /
-                   spacing_ +
+                   elements_.spacing +
                0.5 * couple_[e];
     return sum / options_.cells;
 }

@@ -2,6 +2,7 @@
 
 #include "solvers/particles/motion.hpp"
 #include "solvers/particles/particle_store.hpp"
+#include "solvers/suspension/linear_elements.hpp"
 
 #include <vector>
 
@@ -75,7 +76,7 @@ public:
     [[nodiscard]] double momentum_gained() const { return momentum_gained_; }
     /// Impulse that both walls gave the fluid so far, N s.
     [[nodiscard]] double wall_impulse() const { return wall_impulse_; }
-    [[nodiscard]] double spacing() const { return spacing_; }
+    [[nodiscard]] double spacing() const { return elements_.spacing; }
 
     /// All that changes, for a checkpoint; restored by assigning the same columns.
     struct State {
@@ -86,12 +87,11 @@ public:
     void restore(const State& state);
 
 private:
-    [[nodiscard]] std::size_t element_of(double y, double& upper_weight) const;
     void assemble(const particles::ParticleStore& particles, particles::Surroundings& surroundings,
                   const particles::Column& forces_x, double step);
 
     ProfileOptions options_;
-    double spacing_;
+    LinearElements elements_;
     std::vector<double> velocity_; ///< at the nodes, m/s
     std::vector<double> fraction_; ///< particles' volume fraction at the nodes
     std::vector<double> element_fraction_;

@@ -40,6 +40,14 @@ struct NearPair {
     bool touches;
 };
 
+/// Whether the second is a wall, among so many particles.
+inline bool is_wall(const NearPair& pair, std::size_t particles) {
+    return static_cast<std::size_t>(pair.second) >= particles;
+}
+inline bool is_upper_wall(const NearPair& pair, std::size_t particles) {
+    return static_cast<std::size_t>(pair.second) > particles;
+}
+
 struct LubricationSettings {
     double viscosity{};    ///< Pa s
     double farthest_gap{}; ///< xi beyond which a pair has no film

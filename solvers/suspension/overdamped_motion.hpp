@@ -43,16 +43,12 @@ public:
     [[nodiscard]] std::vector<double> fluid_velocity() const override;
 
 private:
+    /// @param rate  largest of the mean shear until the end of the step, 1/s, >= 0
     [[nodiscard]] double choose_step(double rate) const;
-    [[nodiscard]] bool is_wall(const NearPair& pair) const {
-        return static_cast<std::size_t>(pair.second) >= particles_.size();
-    }
-    [[nodiscard]] bool is_upper_wall(const NearPair& pair) const {
-        return static_cast<std::size_t>(pair.second) > particles_.size();
-    }
+    [[nodiscard]] ResistanceSolver::Goal goal_of_solve(double rate) const;
     /// A wall's turn about z against the mean shear, which turns by -rate / 2; in Motion's unit.
     [[nodiscard]] double wall_roll(double rate) const { return 0.5 * rate * films_.length_unit; }
-    void check_overlaps() const;
+    void check_places() const;
     void set_right_side(double rate);
     void solve(double rate);
     void keep_spring(const NearPair& pair, double x, double y, double z);
@@ -69,7 +65,6 @@ private:
     particles::AlignedVector<NearPair> pairs_;
     particles::PairSums sums_;
     particles::WallSums wall_sums_;
-    double residual_share_; ///< of the forces, that a solve may leave over
     ResistanceSolver solver_;
     std::optional<MixtureProfile> profile_; ///< between walls
     Motions motion_; ///< against the mean shear; of the last step until solved

@@ -34,6 +34,7 @@ ResistanceSolver::ResistanceSolver(std::size_t count, double viscosity, double l
 void ResistanceSolver::prepare(const particles::ParticleStore& particles,
                                const particles::AlignedVector<NearPair>& pairs) {
     const std::size_t count = particles.size();
+    height_ = particles.y;
     paired_.assign(count, 0);
     for (const NearPair& c : pairs) {
         paired_[static_cast<std::size_t>(c.first)] = 1;
@@ -92,8 +93,15 @@ void ResistanceSolver::precondition(const Motions& in, Motions& out) const {
     }
 }
 
+double ResistanceSolver::work_in_shear(const Motions& forces, double rate) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < height_.size(); ++i)
+        sum += forces[i][0] * height_[i] - 0.5 * length_unit_ * forces[i][5];
+    return rate * sum;
+}
+
 ResistanceSolver::Outcome ResistanceSolver::solve(const particles::AlignedVector<NearPair>& pairs,
-                                                  MixtureProfile* profile, double residual_share,
+                                                  MixtureProfile* profile, const Goal& goal,
                                                   const Motions& forces, Motions& motions) {
     const std::size_t count = drag_.size();
     const auto apply = [&](const Motions& in, Motions& out) {
@@ -101,6 +109,7 @@ ResistanceSolver::Outcome ResistanceSolver::solve(const particles::AlignedVector
             for (std::size_t c = 0; c < 8; ++c)
                 out[i][c] = (c < 3 ? drag_[i] : turning_drag_[i]) * in[i][c];
         add_resistance(pairs, in, out);
+        out[count] = out[count + 1] = {}; // what pushes the walls is no equation here
         if (profile != nullptr)
             profile->subtract_response(in, out);
     };
@@ -114,19 +123,21 @@ ResistanceSolver::Outcome ResistanceSolver::solve(const particles::AlignedVector
             residual_[i][c] = forces[i][c] - image_[i][c];
     // Sizes in the norm of the preconditioner, which weighs stiff and free particles alike.
     precondition(forces, scaled_);
-    const double goal = residual_share * residual_share * dot(forces, scaled_);
-    if (goal == 0.0)
+    const double least = goal.residual_share * goal.residual_share * dot(forces, scaled_);
+    if (least == 0.0)
         for (Motion& each : motions)
             each = {};
     precondition(residual_, scaled_);
     double size = dot(residual_, scaled_);
     direction_ = scaled_;
+    const auto is_enough = [&] {
+        return size <= least &&
+               (goal.shear_rate == 0.0 ||
+                std::abs(work_in_shear(residual_, goal.shear_rate)) <= goal.largest_work);
+    };
     Outcome outcome;
-    while (size > goal && goal > 0.0) {
-        if (outcome.iterations == most_iterations) {
-            outcome.residual = std::sqrt(size / goal) * residual_share;
-            return outcome;
-        }
+    outcome.converged = least == 0.0 || is_enough();
+    while (!outcome.converged && outcome.iterations < most_iterations) {
         ++outcome.iterations;
         apply(direction_, image_);
         const double along = size / dot(direction_, image_);
@@ -138,12 +149,15 @@ ResistanceSolver::Outcome ResistanceSolver::solve(const particles::AlignedVector
         precondition(residual_, scaled_);
         const double before = size;
         size = dot(residual_, scaled_);
+        outcome.converged = is_enough();
+        if (!std::isfinite(size))
+            break;
         const double keep = size / before;
         for (std::size_t i = 0; i < count; ++i)
             for (std::size_t c = 0; c < 8; ++c)
                 direction_[i][c] = scaled_[i][c] + keep * direction_[i][c];
     }
-    outcome.converged = true;
+    outcome.residual = least > 0.0 ? std::sqrt(size / least) * goal.residual_share : 0.0;
     return outcome;
 }
 

@@ -26,11 +26,19 @@ public:
         double residual{}; ///< over the forces, in the preconditioner's norm
         bool converged{};
     };
-    /// @param profile         the fluid between walls, prepared; null without walls
-    /// @param residual_share  of the forces, in the preconditioner's norm, that may be left over
-    /// @param motions         where to start; where it ended
-    Outcome solve(const particles::AlignedVector<NearPair>& pairs, MixtureProfile* profile,
-                  double residual_share, const Motions& forces, Motions& motions);
+    /// When a solve may end.
+    struct Goal {
+        double residual_share{}; ///< of the forces, in the preconditioner's norm, may be left over
+        /// If not 0: the work of what is left over in this uniform shear, by which the force on the
+        /// wall is off from the mean stress of the box, stays below `largest_work`, W.
+        double shear_rate{};
+        double largest_work{};
+    };
+    /// @param profile  the fluid between walls, prepared; null without walls
+    /// @param motions  where to start; where it ended
+    [[nodiscard]] Outcome solve(const particles::AlignedVector<NearPair>& pairs,
+                                MixtureProfile* profile, const Goal& goal, const Motions& forces,
+                                Motions& motions);
 
     [[nodiscard]] const particles::Column& drag() const { return drag_; }
     /// Over the length unit's square.
@@ -38,12 +46,14 @@ public:
 
 private:
     void precondition(const Motions& in, Motions& out) const;
+    [[nodiscard]] double work_in_shear(const Motions& forces, double rate) const;
 
     double viscosity_;
     double length_unit_;
     particles::AlignedVector<std::array<double, 36>> blocks_; ///< inverse of the diagonal blocks
     particles::AlignedVector<char> paired_; ///< whether a particle has a near pair
     particles::Column drag_, turning_drag_;
+    particles::Column height_; ///< of the particles across the gap
     Motions residual_, direction_, image_, scaled_;
 };
 

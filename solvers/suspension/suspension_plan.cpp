@@ -56,10 +56,9 @@ void check_sizes(const Scene& scene, const SuspensionChoice& choice) {
             fmt::format("the box holds {:.2g} particles of this size at this volume fraction; at "
                         "least 2 are needed",
                         choice.count));
-    const double reach = choice.settings.dlvo ? choice.settings.dlvo->cutoff
-                         : choice.settings.hydrodynamics == Hydrodynamics::lubrication
-                             ? 0.25 * sizes.largest
-                             : 0.0;
+    const double film =
+        choice.settings.hydrodynamics == Hydrodynamics::lubrication ? 0.25 * sizes.largest : 0.0;
+    const double reach = std::max(film, choice.settings.dlvo ? choice.settings.dlvo->cutoff : 0.0);
     const double needed = 2.0 * (1.15 * sizes.largest + reach);
     const bool walls = choice.settings.boundary == ParticleBoundary::walls;
     const double shortest = std::min({box.length, box.width, walls ? box.length : box.gap});
@@ -111,6 +110,11 @@ std::vector<PlanItem> items_for(const Scene& scene, const Forecast& forecast,
          fmt::format(
              "Inertia of the particles over drag, rho d^2 rate / 18 mu: {:.2g} at {:.4g} 1/s. {}",
              stokes, fast, choice.why_integrator)});
+    if (settings.hydrodynamics == Hydrodynamics::lubrication)
+        items.push_back(
+            {"keys of inertia", false,
+             "Films act with Stokes' drag, in each step: particles.drag, coupling.model, "
+             "coupling.interval, restitution and rolling_friction have no part in it."});
     const double thermal = laws::colloid::boltzmann * settings.temperature;
     const double per_rate = 6 * std::numbers::pi * viscosity * std::pow(radius, 3) / thermal;
     items.push_back({"thermal motion", settings.brownian,

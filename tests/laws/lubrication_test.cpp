@@ -71,7 +71,7 @@ TEST(NearWall, sliding_turning_and_squeezing_have_the_known_coefficients) {
     EXPECT_NEAR(at.squeeze / (6 * pi * a), 1.0 / xi + 0.2 * log, 1e-6);
     // 1.2020569 is zeta(3), Jeffery's (1915) torque at contact.
     EXPECT_NEAR(1.0 + twist_beside_wall(0.0), 1.2020569, 4e-3);
-    EXPECT_NEAR(1.0 + twist_beside_wall(1e-3), 1.2020569, 1.2e-2);
+    EXPECT_NEAR(1.0 + twist_beside_wall(1e-3), 1.2020569, 6e-3); // 2.7e-3 of it truncation
     // Far away the wall's image: 1 + (a / h)^3 / 8 of the centre's distance h.
     EXPECT_NEAR(twist_beside_wall(19.0) * 8.0 * std::pow(20.0, 3), 1.0, 2e-3);
 }

@@ -64,7 +64,8 @@ TEST(HertzContact, a_head_on_pair_has_hertzs_duration_and_depth) {
         for (const double share : {0.02, 0.01, 0.005}) {
             const HeadOn found = head_on(elastic(), speed, share);
             const double deepest = elastic().deepest_overlap(
-                speed, 0.5 * radius, 0.5 * density * 4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3));
+                speed, 0.5 * radius,
+                0.5 * density * 4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3));
             errors.push_back(std::abs(found.duration / (constant * deepest / speed) - 1.0));
             EXPECT_NEAR(found.deepest / deepest, 1.0, 2.0 * share * share + 1e-3 * share);
         }

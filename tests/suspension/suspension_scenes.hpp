@@ -53,4 +53,21 @@ inline void pack(SuspensionInput& input, std::uint64_t seed = 1) {
                                                 input.box);
 }
 
+/// With films, without walls.
+inline SuspensionInput bulk(double side, double fraction, double rate) {
+    SuspensionInput input = zirconia(side, fraction, rate);
+    input.box.walls = false;
+    input.settings.hydrodynamics = Hydrodynamics::lubrication;
+    input.accuracy = 1e-2;
+    return input;
+}
+
+/// With films, between walls.
+inline SuspensionInput between_walls(double side, double fraction, double rate) {
+    SuspensionInput input = bulk(side, fraction, rate);
+    input.box.walls = true;
+    input.coupling.cells = {8, 8, 8};
+    return input;
+}
+
 } // namespace searle::solvers::suspension::testing
