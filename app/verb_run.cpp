@@ -5,12 +5,16 @@
 #include "app/exit_code.hpp"
 #include "app/result_message.hpp"
 #include "app/run_summary.hpp"
+#include "app/sleeping_threads.hpp"
 #include "app/sweep_files.hpp"
 #include "app/usage_error.hpp"
 #include "solvers/openfoam/openfoam_solver.hpp"
+#include "solvers/suspension/suspension_plan.hpp"
+#include "solvers/suspension/suspension_solver.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace searle::app {
@@ -62,6 +66,12 @@ void tell_continuation(const SolvedRuns& runs) {
                          runs.checkpoints.back().string()));
 }
 
+bool uses_threads(const PlannedCase& planned) {
+    const solvers::Scene& scene = planned.source.scene;
+    return scene.particles && planned.plan.can_be_solved &&
+           solvers::suspension::threads_for(solvers::suspension::choose(scene).count) > 1;
+}
+
 /// Writes OpenFOAM's cases without running them.
 int write_cases(const std::vector<Case>& cases, const RunOptions& options) {
     for (const Case& each : cases) {
@@ -108,6 +118,8 @@ int run(const RunOptions& options) {
         planned.push_back(plan_case(each, clock));
         clock = StageClock();
     }
+    if (std::ranges::any_of(planned, uses_threads))
+        restart_with_sleeping_threads();
     const SolvedRuns runs = solve_all(std::move(planned), place);
     const std::vector<SolvedCase>& solved = runs.solved;
     if (solved.empty() && !runs.failures.empty())

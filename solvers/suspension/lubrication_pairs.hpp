@@ -74,8 +74,4 @@ particles::WallSums gather_wall_pairs(const particles::ParticleStore& particles,
                                       const std::optional<laws::contact::AnyContact>& contact,
                                       double step, particles::AlignedVector<NearPair>& pairs);
 
-/// Adds the resistance of all pairs times the motions.
-void add_resistance(const particles::AlignedVector<NearPair>& pairs, const Motions& motions,
-                    Motions& forces);
-
 } // namespace searle::solvers::suspension

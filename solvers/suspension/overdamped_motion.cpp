@@ -37,7 +37,7 @@ OverdampedMotion::OverdampedMotion(SuspensionInput input)
              .roughness = film_roughness,
              .length_unit = input_.particles.largest_radius()},
       list_(reach_for(input_, colloid_), 0.25 * input_.particles.largest_radius()),
-      solver_(particles_.size(), input_.viscosity, films_.length_unit) {
+      solver_(particles_.size(), input_.viscosity, films_.length_unit, input_.threads) {
     motion_.assign(motions_for(particles_.size()), Motion{});
     right_side_ = motion_;
     if (box_.walls)
@@ -142,7 +142,7 @@ void OverdampedMotion::solve(double rate) {
     }
     MixtureProfile* profile = profile_ ? &*profile_ : nullptr;
     const ResistanceSolver::Outcome found =
-        solver_.solve(pairs_, profile, goal_of_solve(rate), right_side_, motion_);
+        solver_.solve(profile, goal_of_solve(rate), right_side_, motion_);
     counts_.solver_iterations += found.iterations;
     if (!found.converged)
         throw StepFailure(fmt::format("the velocities of the particles were not found within {} "

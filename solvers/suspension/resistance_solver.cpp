@@ -5,7 +5,9 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace searle::solvers::suspension {
 namespace {
@@ -14,19 +16,12 @@ constexpr int most_iterations = 2000;
 
 using Block = Eigen::Matrix<double, 6, 6>;
 
-double dot(const Motions& a, const Motions& b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        for (std::size_t c = 0; c < 8; ++c)
-            sum += a[i][c] * b[i][c];
-    return sum;
-}
-
 } // namespace
 
-ResistanceSolver::ResistanceSolver(std::size_t count, double viscosity, double length_unit)
-    : viscosity_(viscosity), length_unit_(length_unit), blocks_(count), paired_(count),
-      drag_(count), turning_drag_(count) {
+ResistanceSolver::ResistanceSolver(std::size_t count, double viscosity, double length_unit,
+                                   int threads)
+    : viscosity_(viscosity), length_unit_(length_unit), threads_(threads), resistance_(threads),
+      blocks_(count), paired_(count), drag_(count), turning_drag_(count) {
     for (Motions* each : {&residual_, &direction_, &image_, &scaled_})
         each->assign(motions_for(count), Motion{});
 }
@@ -34,6 +29,7 @@ ResistanceSolver::ResistanceSolver(std::size_t count, double viscosity, double l
 void ResistanceSolver::prepare(const particles::ParticleStore& particles,
                                const particles::AlignedVector<NearPair>& pairs) {
     const std::size_t count = particles.size();
+    resistance_.take(pairs, count);
     height_ = particles.y;
     paired_.assign(count, 0);
     for (const NearPair& c : pairs) {
@@ -71,6 +67,7 @@ void ResistanceSolver::prepare(const particles::ParticleStore& particles,
         if (static_cast<std::size_t>(c.second) < count)
             add(c.second, c, c.lever_second, -c.mixed, 1.0);
     }
+#pragma omp parallel for num_threads(threads_) if (threads_ > 1) schedule(static)
     for (std::size_t i = 0; i < count; ++i) {
         if (paired_[i] == 0)
             continue;
@@ -80,7 +77,38 @@ void ResistanceSolver::prepare(const particles::ParticleStore& particles,
     }
 }
 
+/// Sums of blocks of one size, added in their order: the same for any number of threads.
+double ResistanceSolver::dot(const Motions& a, const Motions& b) const {
+    constexpr std::size_t size = 1024;
+    const std::size_t blocks = (a.size() + size - 1) / size;
+    std::vector<double> sums(blocks);
+#pragma omp parallel for num_threads(threads_) if (threads_ > 1) schedule(static)
+    for (std::size_t block = 0; block < blocks; ++block) {
+        double sum[8] = {};
+        for (std::size_t i = block * size; i < std::min(a.size(), (block + 1) * size); ++i)
+            for (std::size_t c = 0; c < 8; ++c)
+                sum[c] += a[i][c] * b[i][c];
+        for (const double each : sum)
+            sums[block] += each;
+    }
+    return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+void ResistanceSolver::apply(const Motions& in, MixtureProfile* profile, Motions& out) {
+    const std::size_t count = drag_.size();
+#pragma omp parallel for num_threads(threads_) if (threads_ > 1) schedule(static)
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t c = 0; c < 8; ++c)
+            out[i][c] = (c < 3 ? drag_[i] : turning_drag_[i]) * in[i][c];
+    out[count] = out[count + 1] = {};
+    resistance_.add(in, out);
+    out[count] = out[count + 1] = {}; // what pushes the walls is no equation here
+    if (profile != nullptr)
+        profile->subtract_response(in, out);
+}
+
 void ResistanceSolver::precondition(const Motions& in, Motions& out) const {
+#pragma omp parallel for num_threads(threads_) if (threads_ > 1) schedule(static)
     for (std::size_t i = 0; i < drag_.size(); ++i) {
         if (paired_[i] == 0) {
             for (std::size_t c = 0; c < 8; ++c)
@@ -100,24 +128,14 @@ double ResistanceSolver::work_in_shear(const Motions& forces, double rate) const
     return rate * sum;
 }
 
-ResistanceSolver::Outcome ResistanceSolver::solve(const particles::AlignedVector<NearPair>& pairs,
-                                                  MixtureProfile* profile, const Goal& goal,
+ResistanceSolver::Outcome ResistanceSolver::solve(MixtureProfile* profile, const Goal& goal,
                                                   const Motions& forces, Motions& motions) {
     const std::size_t count = drag_.size();
-    const auto apply = [&](const Motions& in, Motions& out) {
-        for (std::size_t i = 0; i < count; ++i)
-            for (std::size_t c = 0; c < 8; ++c)
-                out[i][c] = (c < 3 ? drag_[i] : turning_drag_[i]) * in[i][c];
-        add_resistance(pairs, in, out);
-        out[count] = out[count + 1] = {}; // what pushes the walls is no equation here
-        if (profile != nullptr)
-            profile->subtract_response(in, out);
-    };
     // Who has no near pair moves with the flow; the step before may have been another.
     for (std::size_t i = 0; i < count && profile == nullptr; ++i)
         if (paired_[i] == 0)
             motions[i] = {};
-    apply(motions, image_);
+    apply(motions, profile, image_);
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t c = 0; c < 8; ++c)
             residual_[i][c] = forces[i][c] - image_[i][c];
@@ -139,8 +157,9 @@ ResistanceSolver::Outcome ResistanceSolver::solve(const particles::AlignedVector
     outcome.converged = least == 0.0 || is_enough();
     while (!outcome.converged && outcome.iterations < most_iterations) {
         ++outcome.iterations;
-        apply(direction_, image_);
+        apply(direction_, profile, image_);
         const double along = size / dot(direction_, image_);
+#pragma omp parallel for num_threads(threads_) if (threads_ > 1) schedule(static)
         for (std::size_t i = 0; i < count; ++i)
             for (std::size_t c = 0; c < 8; ++c) {
                 motions[i][c] += along * direction_[i][c];
@@ -153,6 +172,7 @@ ResistanceSolver::Outcome ResistanceSolver::solve(const particles::AlignedVector
         if (!std::isfinite(size))
             break;
         const double keep = size / before;
+#pragma omp parallel for num_threads(threads_) if (threads_ > 1) schedule(static)
         for (std::size_t i = 0; i < count; ++i)
             for (std::size_t c = 0; c < 8; ++c)
                 direction_[i][c] = scaled_[i][c] + keep * direction_[i][c];

@@ -3,6 +3,7 @@
 #include "solvers/particles/particle_store.hpp"
 #include "solvers/suspension/lubrication_pairs.hpp"
 #include "solvers/suspension/mixture_profile.hpp"
+#include "solvers/suspension/pair_resistance.hpp"
 
 #include <array>
 
@@ -15,9 +16,9 @@ namespace searle::solvers::suspension {
 class ResistanceSolver {
 public:
     /// @param count particles  @param viscosity Pa s  @param length_unit m, of Motion's rotations
-    ResistanceSolver(std::size_t count, double viscosity, double length_unit);
+    ResistanceSolver(std::size_t count, double viscosity, double length_unit, int threads);
 
-    /// Takes the drags of the particles and the blocks of their pairs.
+    /// Takes the drags of the particles and the films and springs of their pairs.
     void prepare(const particles::ParticleStore& particles,
                  const particles::AlignedVector<NearPair>& pairs);
 
@@ -36,8 +37,7 @@ public:
     };
     /// @param profile  the fluid between walls, prepared; null without walls
     /// @param motions  where to start; where it ended
-    [[nodiscard]] Outcome solve(const particles::AlignedVector<NearPair>& pairs,
-                                MixtureProfile* profile, const Goal& goal, const Motions& forces,
+    [[nodiscard]] Outcome solve(MixtureProfile* profile, const Goal& goal, const Motions& forces,
                                 Motions& motions);
 
     [[nodiscard]] const particles::Column& drag() const { return drag_; }
@@ -45,11 +45,15 @@ public:
     [[nodiscard]] const particles::Column& turning_drag() const { return turning_drag_; }
 
 private:
+    void apply(const Motions& in, MixtureProfile* profile, Motions& out);
     void precondition(const Motions& in, Motions& out) const;
+    [[nodiscard]] double dot(const Motions& a, const Motions& b) const;
     [[nodiscard]] double work_in_shear(const Motions& forces, double rate) const;
 
     double viscosity_;
     double length_unit_;
+    int threads_;
+    PairResistance resistance_;
     particles::AlignedVector<std::array<double, 36>> blocks_; ///< inverse of the diagonal blocks
     particles::AlignedVector<char> paired_; ///< whether a particle has a near pair
     particles::Column drag_, turning_drag_;

@@ -20,16 +20,6 @@ namespace {
 constexpr int samples_per_ramp_row = 12;
 constexpr int samples_per_hold = 200;
 constexpr double samples_per_strain = 20.0;
-/// Below this number of particles a second thread costs more than it gives.
-constexpr double particles_per_thread = 10000.0;
-
-int threads_for(std::size_t particles) {
-    const auto most = std::max(1U, std::thread::hardware_concurrency());
-    const auto useful =
-        static_cast<unsigned>(static_cast<double>(particles) / particles_per_thread);
-    return static_cast<int>(std::clamp(useful, 1U, std::min(most, 16U)));
-}
-
 particles::ParticleStore packed(const ParticleSettings& settings, const particles::ShearBox& box) {
     particles::PackingRequest request;
     if (settings.diameter)
@@ -68,7 +58,7 @@ SuspensionInput input_for(const Scene& scene, const SuspensionChoice& choice, do
     input.initial_wall_speed = initial_speed;
     input.fastest_wall_speed = fastest_speed;
     input.particles = packed(choice.settings, input.box);
-    input.threads = threads_for(input.particles.size());
+    input.threads = threads_for(static_cast<double>(input.particles.size()));
     return input;
 }
 
@@ -340,6 +330,14 @@ private:
 };
 
 } // namespace
+
+int threads_for(double particles) {
+    // Below this number of them a second thread costs more than it gives.
+    constexpr double particles_per_thread = 10000.0;
+    const auto most = std::max(1U, std::thread::hardware_concurrency());
+    const auto useful = static_cast<unsigned>(particles / particles_per_thread);
+    return static_cast<int>(std::clamp(useful, 1U, std::min(most, 16U)));
+}
 
 SuspensionReport solve_suspension(const Scene& scene, const Plan& plan,
                                   const ProgressSink& progress, const Checkpointing& checkpointing,

@@ -28,6 +28,9 @@ inline constexpr double steady_strain_cap = 50.0;
 /// Statistical error, over the stress, at which such a step ends.
 inline constexpr double steady_statistical_error = 0.05;
 
+/// Threads that a run of so many particles uses on this machine.
+[[nodiscard]] int threads_for(double particles);
+
 /// Runs the scene's particles through its protocol. Of a ramp or segment each row is the straight
 /// line through the stresses up to a row before and after it, at its time; of a step the mean after
 /// its start-up.
