@@ -19,4 +19,15 @@ double DinBob::fill_volume() const {
     return std::numbers::pi * (cup - cone - cylinder - shaft);
 }
 
+DinBob with_flat_bottom(const ConcentricCylinders& gap) {
+    const double radius = gap.bob_radius;
+    return {.bob_radius = radius,
+            .cup_radius = gap.cup_radius,
+            .length_ratio = gap.height / radius,
+            .bottom_ratio = gap.bottom_gap / radius,
+            .top_ratio = gap.top_gap / radius,
+            .shaft_ratio = gap.shaft_radius / radius,
+            .cone_angle = std::numbers::pi};
+}
+
 } // namespace searle::geometry

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "geometry/concentric_cylinders.hpp"
+
 namespace searle::geometry {
 
 /// Bob with a conical tip after ISO 3219 / DIN 53019, in a flat-bottomed cup.
@@ -28,5 +30,8 @@ struct DinBob {
     /// Volume of fluid up to the free surface, m^3; 8.1695 R^3 for the ISO proportions.
     [[nodiscard]] double fill_volume() const;
 };
+
+/// A single gap with ends = true: its bob is a DIN bob with a flat bottom.
+[[nodiscard]] DinBob with_flat_bottom(const ConcentricCylinders& gap);
 
 } // namespace searle::geometry

@@ -16,7 +16,8 @@ casefile::Keys<GeometryAsWritten> geometry_keys() {
                      din_bob_keys());
     keys.alternative("box", "two parallel walls, one moving: the unrolled single gap", instrument,
                      box_keys());
-    keys.alternative("profile", "a rotor and a cup of any shape, as polylines; for meshes and OpenFOAM",
+    keys.alternative("profile",
+                     "a rotor and a cup of any shape, as polylines; for meshes and OpenFOAM",
                      instrument, profile_keys());
     return keys;
 }

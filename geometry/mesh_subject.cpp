@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
 
 namespace searle::geometry {
 namespace {
@@ -68,7 +69,8 @@ struct Draw {
         const auto [inner, outer] = rotor_patches(settings);
         MeshDomain domain{.gap = std::min(it.inner_gap(), it.outer_gap()),
                           .slice = {.height = height, .instrument_height = it.height}};
-        if (!settings.floor_clearance) {
+        const std::optional<double> clearance = floor_clearance_of(it, settings);
+        if (!clearance) {
             const PatchKind ends = end_kind(settings);
             domain.outlines = {gap_outline(post, inside, height, "post", inner, ends),
                                gap_outline(outside, cup, height, outer, "cup", ends)};
@@ -78,7 +80,7 @@ struct Draw {
             throw MeshError(
                 "mesh.slice_height and mesh.floor_clearance exclude each other: a slice "
                 "does not reach the floor");
-        const double floor = -*settings.floor_clearance;
+        const double floor = -*clearance;
         const OutlineEdge surface{"free_surface", PatchKind::free_surface, ""};
         domain.outlines = {{{{post, floor},
                              {cup, floor},
@@ -161,7 +163,20 @@ std::array<const char*, 2> rotor_patches(const MeshSettings& settings) {
 }
 
 MeshSubject subject_of(const Instrument& instrument) {
+    if (const auto* gap = std::get_if<ConcentricCylinders>(&instrument);
+        gap != nullptr && gap->ends)
+        return with_flat_bottom(*gap);
     return std::visit([](const auto& it) -> MeshSubject { return it; }, instrument);
+}
+
+std::optional<double> floor_clearance_of(const DoubleGap& gap, const MeshSettings& settings) {
+    if (!gap.ends || settings.slice_height)
+        return settings.floor_clearance;
+    if (settings.floor_clearance && *settings.floor_clearance != gap.bottom_gap)
+        throw MeshError(fmt::format("mesh.floor_clearance = {:.6g} mm, but the floor is "
+                                    "geometry.bottom_gap = {:.6g} mm below the rotor",
+                                    *settings.floor_clearance * 1e3, gap.bottom_gap * 1e3));
+    return gap.bottom_gap;
 }
 
 MeshDomain domain_of(const MeshSubject& subject, const MeshSettings& settings) {

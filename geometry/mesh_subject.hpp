@@ -7,6 +7,7 @@
 #include "geometry/slice.hpp"
 
 #include <array>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -15,7 +16,14 @@ namespace searle::geometry {
 /// What can be meshed.
 using MeshSubject = std::variant<ConcentricCylinders, DoubleGap, DinBob, Box, Profile>;
 
+/// A single gap with ends = true is a bob with a flat bottom.
 [[nodiscard]] MeshSubject subject_of(const Instrument& instrument);
+
+/// Distance from a double gap's rotor down to the floor, m; none: two gaps cut off at the rotor's
+/// edge. With ends = true the instrument says where its floor is, unless a slice is asked for.
+/// Throws MeshError where the settings contradict that.
+[[nodiscard]] std::optional<double> floor_clearance_of(const DoubleGap& gap,
+                                                       const MeshSettings& settings);
 
 /// The fluid that a mesh fills, before it is cut into cells.
 struct MeshDomain {

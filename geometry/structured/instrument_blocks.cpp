@@ -51,7 +51,7 @@ BlockLayout separate_gaps(const MeshSubject& subject, double width, const MeshSe
 /// Both gaps and the fluid that joins them under the rotor.
 BlockLayout joined_gaps(const DoubleGap& it, const MeshSettings& settings) {
     const auto& [post, inside, outside, cup] = it.radii;
-    const double clearance = *settings.floor_clearance;
+    const double clearance = *floor_clearance_of(it, settings);
     const Resolution size =
         resolution_for(std::min(it.inner_gap(), it.outer_gap()), it.height, cup, settings);
     const auto graded = [&](double length, double start, double end, double largest,
@@ -113,8 +113,8 @@ struct Layout {
         return separate_gaps(it, it.bob_radius, settings);
     }
     BlockLayout operator()(const DoubleGap& it) const {
-        return settings.floor_clearance ? joined_gaps(it, settings)
-                                        : separate_gaps(it, it.radii[3], settings);
+        return floor_clearance_of(it, settings) ? joined_gaps(it, settings)
+                                                : separate_gaps(it, it.radii[3], settings);
     }
     BlockLayout operator()(const Box& it) const { return separate_gaps(it, it.gap, settings); }
     BlockLayout operator()(const DinBob& it) const {

@@ -45,14 +45,7 @@ std::optional<SectionShape> section_shape(const geometry::Instrument& instrument
             if (!gap.ends) {
                 return std::nullopt;
             }
-            const double radius = gap.bob_radius;
-            return geometry::DinBob{.bob_radius = radius,
-                                    .cup_radius = gap.cup_radius,
-                                    .length_ratio = gap.height / radius,
-                                    .bottom_ratio = gap.bottom_gap / radius,
-                                    .top_ratio = gap.top_gap / radius,
-                                    .shaft_ratio = gap.shaft_radius / radius,
-                                    .cone_angle = std::numbers::pi};
+            return geometry::with_flat_bottom(gap);
         }
         std::optional<SectionShape> operator()(const geometry::DoubleGap& gap) const {
             if (!gap.ends) {

@@ -246,5 +246,42 @@ TEST(MeshBuild, two_hundred_invalid_requests_are_refused_with_their_cause) {
     }
 }
 
+// With ends = true the fluid below and above the rotor is meshed: volumes of cylinders by hand.
+TEST(Domain, ends_of_gaps_are_part_of_the_section_but_of_a_slice) {
+    constexpr double pi = std::numbers::pi;
+    const ConcentricCylinders single{.bob_radius = 14e-3,
+                                     .cup_radius = 15e-3,
+                                     .height = 42e-3,
+                                     .ends = true,
+                                     .bottom_gap = 5e-3,
+                                     .top_gap = 3e-3,
+                                     .shaft_radius = 4e-3};
+    const double beside = pi * (15e-3 * 15e-3 - 14e-3 * 14e-3) * 42e-3;
+    const double below = pi * 15e-3 * 15e-3 * 5e-3;
+    const double above = pi * (15e-3 * 15e-3 - 4e-3 * 4e-3) * 3e-3;
+    EXPECT_NEAR(measures_of(domain_of(subject_of(single), {}).outlines).volume /
+                    (beside + below + above),
+                1.0, 1e-12);
+    EXPECT_NEAR(
+        measures_of(domain_of(subject_of(single), {.slice_height = 42e-3}).outlines).volume /
+            beside,
+        1.0, 1e-12);
+
+    const DoubleGap gap{
+        .radii = {20e-3, 21e-3, 22e-3, 23e-3}, .height = 30e-3, .ends = true, .bottom_gap = 2e-3};
+    const double rings =
+        pi * (21e-3 * 21e-3 - 20e-3 * 20e-3 + 23e-3 * 23e-3 - 22e-3 * 22e-3) * 30e-3;
+    const double under = pi * (23e-3 * 23e-3 - 20e-3 * 20e-3) * 2e-3;
+    EXPECT_NEAR(measures_of(domain_of(gap, {}).outlines).volume / (rings + under), 1.0, 1e-12);
+    EXPECT_THROW((void)domain_of(gap, {.floor_clearance = 3e-3}), MeshError);
+
+    // Cut into cells, each with the volume that its place in the domain gives it.
+    for (const MeshSubject& subject : {subject_of(single), subject_of(gap)}) {
+        const BuiltMesh built = build_mesh(subject, {.cells_across_gap = 4});
+        EXPECT_TRUE(quality_of(built).faults.empty());
+        EXPECT_NE(built.mesh.patch("cup_floor"), nullptr);
+    }
+}
+
 } // namespace
 } // namespace searle::geometry

@@ -177,6 +177,38 @@ TEST_F(OpenFoamEngine, the_defective_program_is_told_by_its_torques) {
     EXPECT_NE(text_of(folder / "defect/summary.json").find("known defect"), std::string::npos);
 }
 
+// Instruments with ends = true, whose c_L the native engine knows to 1e-4: the mesh has the ends,
+// too.
+TEST_F(OpenFoamEngine, ends_of_gaps_have_the_c_L_of_the_native_engine) {
+    const std::string rest = "\nends = true\nbottom_gap = \"5 mm\"\n\n[fluid]\nmodel = "
+                             "\"newtonian\"\nviscosity = \"1 Pa.s\"\ndensity = \"1000 kg/m^3\"\n\n"
+                             "[protocol]\ntype = \"steps\"\nshear_rates = [\"1 1/s\"]\nhold = "
+                             "\"steady\"\n\n[solver]\naccuracy = 0.02\n\n[mesh]\n"
+                             "cells_across_gap = 6\n";
+    for (const auto& [name, geometry] :
+         {std::pair{"single", "type = \"single-gap\"\nbob_radius = \"14 mm\"\ncup_radius = "
+                              "\"16 mm\"\nheight = \"20 mm\""},
+          std::pair{"double", "type = \"double-gap\"\nradii = [\"20 mm\", \"21 mm\", \"22 mm\", "
+                              "\"23 mm\"]\nheight = \"20 mm\""}}) {
+        write_text(folder / (std::string(name) + ".toml"),
+                   std::string("[geometry]\n") + geometry + rest);
+        const auto end_factor = [&](const std::string& engine) {
+            const std::string out = std::string(name) + "-" + engine;
+            const Outcome outcome =
+                run({.arguments = {"run", std::string(name) + ".toml", "-o", out, "--quiet",
+                                   "--set", "solver.engine=" + engine},
+                     .directory = folder.path()});
+            EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+            return rheometry::read_end_effect_csv(folder / out / "end_factor.csv").at(0);
+        };
+        const auto native = end_factor("native");
+        const auto openfoam = end_factor("openfoam");
+        EXPECT_GT(native.end_factor, 1.02) << name;
+        EXPECT_NEAR(openfoam.end_factor, native.end_factor, openfoam.error + native.error) << name;
+        EXPECT_LT(openfoam.error, 0.02 * openfoam.end_factor) << name;
+    }
+}
+
 TEST_F(OpenFoamEngine, c_L_of_a_din_bob_agrees_with_the_native_engine_in_a_wedge_and_in_3d) {
     const std::string text =
         text_of(std::string(SEARLE_SOURCE_DIR) + "/cases/openfoam-din-bob.toml");
