@@ -122,6 +122,24 @@ std::vector<double> end_factors_of(SolvedCase& solved) {
     return factors;
 }
 
+/// Warns of another version, whether or not it comes to a result.
+solvers::radial::RadialReport solved_with_openfoam(SolvedCase& solved,
+                                                   const solvers::ProgressSink& progress,
+                                                   const RunKeeping& keeping) {
+    const solvers::openfoam::Installation installation = installation_for(solved.source);
+    const std::string doubt = solvers::openfoam::doubt_about(installation);
+    if (!doubt.empty())
+        solved.plan.warnings.push_back(doubt);
+    try {
+        return solvers::openfoam::solve_with_openfoam(
+            solved.source.scene, solved.plan, keeping.engine_folder, installation, progress);
+    } catch (const solvers::openfoam::OpenFoamFailed& failure) {
+        if (doubt.empty())
+            throw;
+        throw solvers::openfoam::OpenFoamFailed(fmt::format("{}. {}", failure.what(), doubt));
+    }
+}
+
 } // namespace
 
 SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress,
@@ -130,8 +148,7 @@ SolvedCase solve_case(PlannedCase planned, const solvers::ProgressSink& progress
     const solvers::Scene& scene = solved.source.scene;
     std::vector<double> end_factors;
     if (scene.solver.engine == solvers::Engine::openfoam) {
-        solved.solution = solvers::openfoam::solve_with_openfoam(
-            scene, solved.plan, keeping.engine_folder, installation_for(solved.source), progress);
+        solved.solution = solved_with_openfoam(solved, progress, keeping);
         end_factors = end_factors_of(solved);
     } else if (scene.particles) {
         solvers::suspension::SuspensionReport report = solvers::suspension::solve_suspension(

@@ -1,5 +1,7 @@
 #include "solvers/openfoam/installation.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cstdlib>
 #include <fstream>
@@ -37,6 +39,16 @@ std::optional<fs::path> program_in_path(std::string_view program) {
         rest = colon == std::string_view::npos ? "" : rest.substr(colon + 1);
     }
     return std::nullopt;
+}
+
+std::string doubt_about(const Installation& installation) {
+    if (installation.version == supported_version)
+        return "";
+    return fmt::format(
+        "OpenFOAM {} is here (WM_PROJECT_DIR {}); the cases are written for {}, and other versions "
+        "read some of their entries differently or not at all. Debian's package {} has it.",
+        installation.version.empty() ? "of an unknown version" : installation.version,
+        installation.project.string(), supported_version, package);
 }
 
 std::optional<Installation> find_installation() {

@@ -21,6 +21,10 @@ inline constexpr std::string_view package = "openfoam";
 /// Debian's package that holds mpirun.
 inline constexpr std::string_view mpi_package = "openmpi-bin";
 
+/// What to beware of with this installation: a sentence where its version is another than the
+/// supported one, or unknown; else empty.
+[[nodiscard]] std::string doubt_about(const Installation& installation);
+
 /// The first program of that name in PATH.
 [[nodiscard]] std::optional<std::filesystem::path> program_in_path(std::string_view program);
 

@@ -1,5 +1,7 @@
 #include "running_cases.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -18,11 +20,12 @@ using namespace testing;
 /// PATH has nothing but an empty `pimpleFoam`, WM_PROJECT_DIR what makes it look like OpenFOAM.
 class LookAlike {
 public:
-    LookAlike() {
+    explicit LookAlike(std::string_view version = solvers::openfoam::supported_version) {
         const fs::path program = folder_ / "bin/pimpleFoam";
         write_text(program, "#!/bin/sh\n");
         fs::permissions(program, fs::perms::owner_all);
         write_text(folder_ / "etc/controlDict", "\n");
+        write_text(folder_ / "etc/bashrc", fmt::format("export WM_PROJECT_VERSION={}\n", version));
         setenv("PATH", (folder_ / "bin").c_str(), 1);
         setenv("WM_PROJECT_DIR", folder_.path().c_str(), 1);
     }
@@ -68,7 +71,20 @@ TEST(OpenFoamFaults, a_program_that_does_nothing_and_says_all_is_well_is_no_resu
     EXPECT_EQ(outcome.exit_code, 3);
     EXPECT_NE(outcome.err.find("its torques stop after row 0 of 100"), std::string::npos)
         << outcome.err;
+    EXPECT_EQ(outcome.err.find("v1912"), std::string::npos) << outcome.err;
     EXPECT_FALSE(fs::exists(folder / "water"));
+}
+
+TEST(OpenFoamFaults, another_version_is_told_with_what_went_wrong) {
+    const TemporaryFolder folder;
+    const LookAlike other("v2306");
+    const Outcome outcome =
+        run({.arguments = {"run", std::string(SEARLE_SOURCE_DIR) + "/cases/single-gap-water.toml",
+                           "--set", "solver.engine=openfoam", "-o", "water"},
+             .directory = folder.path()});
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_NE(outcome.err.find("OpenFOAM v2306 is here"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("written for v1912"), std::string::npos) << outcome.err;
 }
 
 TEST(OpenFoamFaults, a_mesh_that_there_is_not_leaves_no_folder_behind) {
