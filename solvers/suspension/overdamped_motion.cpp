@@ -21,11 +21,17 @@ constexpr double residual_share = 1e-4;
 /// fluid's own stress: a third of what is claimed for the films of a thin suspension.
 constexpr double wall_share = 0.05;
 
+double scale_for(double accuracy) { return std::clamp(accuracy / 1e-2, 0.02, 1.0); }
+
 double reach_for(const SuspensionInput& input, const particles::AnyColloid& colloid) {
     return std::max(farthest_film * input.particles.largest_radius(), particles::reach_of(colloid));
 }
 
 } // namespace
+
+double overdamped_step(double accuracy, double shear_rate) {
+    return scale_for(accuracy) * strain_share / shear_rate;
+}
 
 OverdampedMotion::OverdampedMotion(SuspensionInput input)
     : input_(std::move(input)), particles_(input_.particles), box_(input_.box),
@@ -55,7 +61,7 @@ OverdampedMotion::OverdampedMotion(SuspensionInput input)
 double OverdampedMotion::choose_step(double rate) const {
     if (input_.settings.time_step)
         return *input_.settings.time_step;
-    const double scale = std::clamp(input_.accuracy / 1e-2, 0.02, 1.0);
+    const double scale = scale_for(input_.accuracy);
     // Beside a wall that jumps the flow is far steeper than in the mean.
     const double steepest = std::max(rate, profile_ ? profile_->steepest_rate() : 0.0);
     double step = strain_share / std::max(steepest, 1e-300);

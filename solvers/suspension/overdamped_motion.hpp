@@ -16,6 +16,9 @@ inline constexpr double farthest_film = 0.5;
 /// Gap over the mean radius that roughness adds to every film (as LF_DEM).
 inline constexpr double film_roughness = 1e-3;
 
+/// The longest step, s, that an accuracy asks for at a shear rate (1/s, > 0).
+[[nodiscard]] double overdamped_step(double accuracy, double shear_rate);
+
 /// Particles without inertia in uniform shear (Lees-Edwards) or between walls, each with Stokes'
 /// drag and torque, near pairs and particles near a wall with the film between them
 /// (laws/lubrication), contacts and colloidal forces:

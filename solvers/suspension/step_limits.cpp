@@ -3,7 +3,7 @@
 #include "laws/colloid/dlvo.hpp"
 #include "laws/contact/rayleigh_time.hpp"
 #include "laws/drag/stokes.hpp"
-#include "solvers/suspension/suspension_rows.hpp"
+#include "solvers/suspension/stable_step.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +53,8 @@ double overlap_in_shear(const laws::contact::AnyContact& contact, double viscosi
 
 } // namespace
 
+double step_scale(double accuracy) { return std::clamp(accuracy / 2e-3, 0.02, 3.0); }
+
 StepLimits::StepLimits(const SuspensionInput& input)
     : contact_(contact_law(input.settings)),
       explicit_steps_(input.settings.integrator == Integrator::explicit_steps) {
@@ -90,17 +92,29 @@ StepLimits::StepLimits(const SuspensionInput& input)
         start_ = std::min(free_, start_share * least_mass / drag_);
     }
     start_ = std::min(start_, touching(0.0));
+    stable_ = explicit_steps_ ? 2.0 * least_mass / drag_ : std::numeric_limits<double>::infinity();
+    if (contact_ && !input.settings.dlvo) {
+        const laws::contact::ContactSpring spring = spring_at(2.0 * foreseen_overlap_);
+        // Two particles against each other; a dashpot helps like the drag.
+        const double swings =
+            explicit_steps_ ? 2.0 * std::sqrt(0.5 * least_mass / spring.slope)
+                            : std::max(longest_stable_step(2.0 * spring.slope, least_mass, drag_),
+                                       0.5 * (drag_ + 2.0 * spring.damping) / spring.slope);
+        stable_ = std::min(stable_, swings);
+    }
+}
+
+laws::contact::ContactSpring StepLimits::spring_at(double overlap) const {
+    return std::visit(
+        [&](const auto& law) { return law.at(overlap, reduced_radius_, reduced_mass_); },
+        *contact_);
 }
 
 double StepLimits::touching(double overlap) const {
     if (!contact_)
         return free_;
-    const laws::contact::ContactSpring spring = std::visit(
-        [&](const auto& law) {
-            return law.at(2.0 * std::max(overlap, foreseen_overlap_), reduced_radius_,
-                          reduced_mass_);
-        },
-        *contact_);
+    const laws::contact::ContactSpring spring =
+        spring_at(2.0 * std::max(overlap, foreseen_overlap_));
     double longest =
         std::min(free_, contact_time_scale_ * 0.5 * (drag_ + 2.0 * spring.damping) / spring.slope);
     if (explicit_steps_)

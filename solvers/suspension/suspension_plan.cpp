@@ -20,6 +20,8 @@ namespace {
 
 constexpr double most_particles = 2e6;
 constexpr double random_close_packing = 0.64;
+/// Forced steps that move neighbours by more than this share of their distance are no steps.
+constexpr double most_strain_in_a_step = 0.05;
 
 std::string describe_stiffness(const ParticleSettings& settings) {
     if (settings.contact->model == ContactModel::hertz)
@@ -201,6 +203,30 @@ double expected_seconds(const Scene& scene, const Forecast& forecast,
     return time / step * choice.count / speed;
 }
 
+/// Throws where a step that the case asks for cannot be taken.
+void check_step(const Scene& scene, const Forecast& forecast, const SuspensionChoice& choice) {
+    if (!choice.settings.time_step)
+        return;
+    const double step = *choice.settings.time_step;
+    const double rate = fastest_rate(forecast);
+    const double strained = most_strain_in_a_step / rate;
+    if (step > strained)
+        throw UnsuitableScene(fmt::format("particles.time_step = {:.3g} s: at {:.4g} 1/s the "
+                                          "suspension is strained by {:.3g} within "
+                                          "it; at most {:.3g} s, a strain of {}",
+                                          step, rate, rate * step, strained,
+                                          most_strain_in_a_step));
+    if (choice.settings.hydrodynamics == Hydrodynamics::lubrication)
+        return;
+    const StepLimits limits = step_limits(scene, choice, rate);
+    if (step > limits.stable())
+        throw UnsuitableScene(fmt::format("particles.time_step = {:.3g} s: steps beyond {:.3g} s "
+                                          "make contacts and drag swing up; "
+                                          "\"auto\" takes up to {:.3g} s here",
+                                          step, limits.stable(),
+                                          std::min(limits.touching(0.0), limits.free())));
+}
+
 /// Why lubrication cannot be had for these settings; empty when it can.
 std::string against_lubrication(const ParticleSettings& settings) {
     if (settings.brownian)
@@ -308,6 +334,7 @@ void plan_suspension(const Scene& scene, Forecast& forecast, Plan& plan) {
             ? "together with the fluid between the walls"
             : "four-way coupled with the fluid between the walls",
         choice.why_hydrodynamics);
+    check_step(scene, forecast, choice);
     plan.can_be_solved = true;
     if (choice.settings.boundary != ParticleBoundary::walls)
         // Sheared everywhere at once: nothing lags behind a wall.

@@ -83,15 +83,6 @@ double total_of(const StressSample& sample, bool walls) {
 
 } // namespace
 
-double step_scale(double accuracy) { return std::clamp(accuracy / 2e-3, 0.02, 3.0); }
-
-ClaimedError claimed_error(double accuracy, bool films) {
-    if (films)
-        return {.forces = 1.5 * std::clamp(accuracy, 2e-4, 1e-2),
-                .films = 0.15 * std::clamp(accuracy, 2e-4, 1e-2)};
-    return {.forces = 2e-3 * step_scale(accuracy), .films = 0.0};
-}
-
 rheometry::TorqueRow row_of_hold(std::span<const StressSample> samples, bool walls, double discard,
                                  double wall_area, ClaimedError claimed) {
     std::size_t start = 0;

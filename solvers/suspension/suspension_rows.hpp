@@ -1,24 +1,13 @@
 #pragma once
 
 #include "rheometry/torque_history.hpp"
+#include "solvers/suspension/claimed_error.hpp"
 #include "solvers/suspension/stress_sample.hpp"
 
 #include <span>
 #include <string>
 
 namespace searle::solvers::suspension {
-
-/// How long the steps are at an asked accuracy, against those that were measured
-/// (docs/suspension.md): 1 at 2e-3.
-[[nodiscard]] double step_scale(double accuracy);
-
-/// What is claimed as numerical error of the step, as shares of parts of the stress; above what was
-/// measured (docs/suspension.md).
-struct ClaimedError {
-    double forces{}; ///< of contacts, colloid and thermal motion
-    double films{};  ///< of the hydrodynamic part
-};
-[[nodiscard]] ClaimedError claimed_error(double accuracy, bool films);
 
 /// Mean of a held step after its start-up.
 /// @param discard      strain to leave out; negative: found by a test on the stress

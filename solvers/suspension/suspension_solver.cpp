@@ -2,6 +2,7 @@
 
 #include "rheometry/schedule.hpp"
 #include "solvers/particles/packing.hpp"
+#include "solvers/suspension/claimed_error.hpp"
 #include "solvers/suspension/inertial_motion.hpp"
 #include "solvers/suspension/overdamped_motion.hpp"
 #include "solvers/suspension/suspension_plan.hpp"
@@ -72,12 +73,11 @@ std::unique_ptr<SuspensionMotion> make_motion(SuspensionInput input) {
 class Run {
 public:
     Run(const Scene& scene, SuspensionMotion& motion, const ProgressSink& progress,
-        const Checkpointing& checkpointing, const FrameSink& frames, bool films)
+        const Checkpointing& checkpointing, const FrameSink& frames, ClaimedError claimed)
         : scene_(scene), motion_(motion), progress_(progress), checkpointing_(checkpointing),
           recorder_(scene.output.trajectory_strain, frames, scene.output.fields),
           walls_(scene.particles->boundary == ParticleBoundary::walls),
-          area_(std::get<geometry::Box>(scene.instrument).wall_area()),
-          claimed_(claimed_error(scene.solver.accuracy, films)) {
+          area_(std::get<geometry::Box>(scene.instrument).wall_area()), claimed_(claimed) {
         if (checkpointing.start)
             restore(*checkpointing.start);
     }
@@ -363,10 +363,10 @@ SuspensionReport solve_suspension(const Scene& scene, const Plan& plan,
     }
     if (progress)
         progress(0.0, "packing the particles");
-    const std::unique_ptr<SuspensionMotion> motion =
-        make_motion(input_for(scene, choice, initial, fastest));
-    Run run(scene, *motion, progress, checkpointing, frames,
-            choice.settings.hydrodynamics == Hydrodynamics::lubrication);
+    SuspensionInput input = input_for(scene, choice, initial, fastest);
+    const ClaimedError claimed = claimed_error(input);
+    const std::unique_ptr<SuspensionMotion> motion = make_motion(std::move(input));
+    Run run(scene, *motion, progress, checkpointing, frames, claimed);
     const auto* steps = std::get_if<rheometry::Steps>(&scene.protocol.program);
     if (steady)
         run.follow_steady(*steady, report);

@@ -186,6 +186,8 @@ TEST(SuspensionRun, refuses_what_does_not_fit) {
         EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
         EXPECT_FALSE(std::filesystem::exists(folder / "out")) << setting;
     };
+    expect("particles.time_step=\"0.1 ms\"", 2, "make contacts and drag swing up");
+    expect("particles.time_step=\"1 s\"", 2, "strained by");
     expect("particles.volume_fraction=0.7", 2, "0.64");
     expect("particles.diameter=\"20 um\"", 2, "does not fit");
     expect("particles.diameter=\"6.8 um\"", 2, "two images");
