@@ -148,7 +148,7 @@ std::vector<PlanItem> items_for(const Scene& scene, const Forecast& forecast,
             row_of_largest(forecast, [&](std::size_t i) { return forecast.rows[i].lag_share; });
         items.push_back(
             {"inertia", walls,
-             walls ? fmt::format("The fluid's inertia is up to {} of the stress (row {}).",
+             walls ? fmt::format("The fluid's inertia is {} of the stress at most (row {}).",
                                  percent(forecast.rows[worst].lag_share), worst + 1)
                    : std::string("Sheared everywhere at once, the fluid has nothing "
                                  "to lag behind.")});
