@@ -17,6 +17,10 @@ namespace {
     throw TableError(file.string(), {{.line = 0, .column = {}, .message = std::move(message)}});
 }
 
+// Limits of the format itself (BIFF8).
+constexpr unsigned most_rows = 65'536;
+constexpr unsigned most_columns = 256;
+
 enum class Kind : std::uint8_t { empty, number, text };
 enum class Status : std::uint8_t { read, library_error, password, too_sparse };
 
@@ -76,6 +80,11 @@ int put_sheet(ByteWriter& bytes, const Workbook& workbook, unsigned index, CellC
           freexl_worksheet_dimensions(workbook.handle(), &rows, &columns)})
         if (code != FREEXL_OK)
             return code;
+    // A damaged file may claim billions of rows of no columns.
+    if (rows > most_rows || columns > most_columns)
+        return FREEXL_CRAFTED_FILE;
+    if (columns == 0)
+        rows = 0;
     bytes.put_text(name != nullptr ? name : "");
     bytes.put(static_cast<std::uint64_t>(rows));
     bytes.put(static_cast<std::uint64_t>(columns));
