@@ -1,5 +1,6 @@
 #include "solvers/suspension/inertial_motion.hpp"
 
+#include "solvers/suspension/overlap_check.hpp"
 #include "solvers/suspension/suspension_rows.hpp"
 
 #include <algorithm>
@@ -12,8 +13,6 @@ namespace {
 
 using particles::Column;
 using particles::ParticleStore;
-
-constexpr double deepest_share = 0.2; ///< of the radius: a deeper overlap is no contact any more
 
 double skin_for(const SuspensionInput& input) {
     const double fraction = input.particles.total_volume() / input.box.volume();
@@ -127,19 +126,7 @@ void InertialMotion::evaluate(double wall_speed, double step, bool sampling) {
 
 void InertialMotion::check(double moved) const {
     const double least = smallest(particles_.radius);
-    const bool pair_is_worse = pair_sums_.largest_overlap >= wall_sums_.largest_overlap;
-    const double overlap = std::max(pair_sums_.largest_overlap, wall_sums_.largest_overlap);
-    if (overlap > deepest_share * least) {
-        const std::string who = pair_is_worse
-                                    ? fmt::format("particles {} and {}", pair_sums_.deepest_first,
-                                                  pair_sums_.deepest_second)
-                                    : fmt::format("particle {} and a wall", wall_sums_.deepest);
-        throw StepFailure(fmt::format(
-            "{} overlap by {:.3g} m at t = {:.6g} s, {:.2g} of the smallest radius: the contact is "
-            "too soft for the forces on it ({}), or the step of {:.3g} s "
-            "too long (particles.time_step)",
-            who, overlap, time_, overlap / least, stiffness_key(input_.settings), last_step_));
-    }
+    check_overlaps(pair_sums_, wall_sums_, particles_, input_.settings, time_, last_step_);
     if (!(moved < least)) {
         for (std::size_t i = 0; i < particles_.size(); ++i) {
             const double size = std::abs(particles_.fx[i]) + std::abs(particles_.fy[i]) +

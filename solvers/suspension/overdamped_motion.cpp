@@ -1,5 +1,7 @@
 #include "solvers/suspension/overdamped_motion.hpp"
 
+#include "solvers/suspension/overlap_check.hpp"
+#include "solvers/suspension/pair_kinematics.hpp"
 #include "solvers/suspension/particle_checkpoint.hpp"
 
 #include <algorithm>
@@ -12,7 +14,6 @@ namespace {
 constexpr double strain_share = 1e-3; ///< strain within a step
 constexpr double move_share = 2e-3;   ///< displacement beside the mean flow within a step, radii
 constexpr double range_share = 0.2;   ///< closing of a pair within a step over the Debye length
-constexpr double deepest_share = 0.2; ///< of the radius
 
 /// What a solve may leave over of the forces: at phi 0.4 that changes the mean stress of the box by
 /// 2e-5 of itself.
@@ -85,44 +86,31 @@ void OverdampedMotion::set_right_side(double rate) {
     for (const NearPair& c : pairs_) {
         // Mean straining motion of the second against the first.
         const double half = 0.5 * rate * c.distance;
-        const double ux = half * c.ny;
-        const double uy = half * c.nx;
-        const double along = ux * c.nx + uy * c.ny;
-        const double sx = ux - along * c.nx;
-        const double sy = uy - along * c.ny;
-        const double sz = -along * c.nz;
+        const Vector<double> n{c.nx, c.ny, c.nz};
+        const PairMotion<double> strained =
+            pair_motion<double>(n, {half * c.ny, half * c.nx, 0.0}, {}, {});
         // On the first: the film's drag of the straining motion, less what pushes the second.
-        const double normal = c.squeeze * along - c.push;
+        const double normal = c.squeeze * strained.along - c.push;
         const double rolled = is_wall(c, particles_.size()) ? wall_roll(rate) * -c.ny : 0.0;
-        const double qx = c.shear * sx + c.mixed * rolled - c.tx;
-        const double qy = c.shear * sy - c.ty;
-        const double qz = c.shear * sz - c.tz;
-        const double px = c.mixed * sx + c.pump * rolled;
-        const double py = c.mixed * sy;
-        const double pz = c.mixed * sz;
-        const double fx = normal * c.nx + qx;
-        const double fy = normal * c.ny + qy;
-        const double fz = normal * c.nz + qz;
-        const double nqx = c.ny * qz - c.nz * qy;
-        const double nqy = c.nz * qx - c.nx * qz;
-        const double nqz = c.nx * qy - c.ny * qx;
-        const double npx = c.ny * pz - c.nz * py;
-        const double npy = c.nz * px - c.nx * pz;
-        const double npz = c.nx * py - c.ny * px;
+        const Vector<double> roll{rolled, 0.0, 0.0};
+        const Vector<double> film = combined(c.shear, strained.shear, c.mixed, roll);
+        const PairPush<double> push =
+            pair_push(n, normal, {film.x - c.tx, film.y - c.ty, film.z - c.tz},
+                      combined(c.mixed, strained.shear, c.pump, roll));
         Motion& a = right_side_[static_cast<std::size_t>(c.first)];
         Motion& b = right_side_[static_cast<std::size_t>(c.second)];
-        a[0] += fx;
-        a[1] += fy;
-        a[2] += fz;
-        b[0] -= fx;
-        b[1] -= fy;
-        b[2] -= fz;
-        a[3] += c.lever_first * nqx + npx;
-        a[4] += c.lever_first * nqy + npy;
-        a[5] += c.lever_first * nqz + npz;
-        b[3] += c.lever_second * nqx - npx;
-        b[4] += c.lever_second * nqy - npy;
-        b[5] += c.lever_second * nqz - npz;
+        a[0] += push.force.x;
+        a[1] += push.force.y;
+        a[2] += push.force.z;
+        b[0] -= push.force.x;
+        b[1] -= push.force.y;
+        b[2] -= push.force.z;
+        a[3] += c.lever_first * push.arm.x + push.couple.x;
+        a[4] += c.lever_first * push.arm.y + push.couple.y;
+        a[5] += c.lever_first * push.arm.z + push.couple.z;
+        b[3] += c.lever_second * push.arm.x - push.couple.x;
+        b[4] += c.lever_second * push.arm.y - push.couple.y;
+        b[5] += c.lever_second * push.arm.z - push.couple.z;
     }
 }
 
@@ -182,30 +170,23 @@ StressSample OverdampedMotion::move(double step, double rate) {
                               ? wall_motion
                               : motion_[static_cast<std::size_t>(c.second)];
         const double half = 0.5 * rate * c.distance;
-        const double ux = b[0] - a[0] + half * c.ny;
-        const double uy = b[1] - a[1] + half * c.nx;
-        const double uz = b[2] - a[2];
-        const double along = ux * c.nx + uy * c.ny + uz * c.nz;
-        const double lx = c.lever_first * a[3] + c.lever_second * b[3];
-        const double ly = c.lever_first * a[4] + c.lever_second * b[4];
-        const double lz = c.lever_first * a[5] + c.lever_second * b[5];
-        const double sx = ux - along * c.nx - (ly * c.nz - lz * c.ny);
-        const double sy = uy - along * c.ny - (lz * c.nx - lx * c.nz);
-        const double sz = uz - along * c.nz - (lx * c.ny - ly * c.nx);
-        const double rx = (b[4] - a[4]) * c.nz - (b[5] - a[5]) * c.ny;
-        const double ry = (b[5] - a[5]) * c.nx - (b[3] - a[3]) * c.nz;
-        const double rz = (b[3] - a[3]) * c.ny - (b[4] - a[4]) * c.nx;
-        const double r[3] = {c.distance * c.nx, c.distance * c.ny, c.distance * c.nz};
+        const auto levered = [&](std::size_t k) {
+            return c.lever_first * a[k] + c.lever_second * b[k];
+        };
+        const auto [along, s, r] = pair_motion<double>(
+            {c.nx, c.ny, c.nz}, {b[0] - a[0] + half * c.ny, b[1] - a[1] + half * c.nx, b[2] - a[2]},
+            {levered(3), levered(4), levered(5)}, {b[3] - a[3], b[4] - a[4], b[5] - a[5]});
+        const double reach[3] = {c.distance * c.nx, c.distance * c.ny, c.distance * c.nz};
         const auto add = [&](particles::Virial& virial, double fx, double fy, double fz) {
             const double f[3] = {fx, fy, fz};
             for (std::size_t k = 0; k < 3; ++k)
                 for (std::size_t m = 0; m < 3; ++m)
-                    virial[3 * k + m] += r[k] * f[m];
+                    virial[3 * k + m] += reach[k] * f[m];
         };
         const double film_normal = -c.film_squeeze * along;
-        add(film, film_normal * c.nx - c.film_shear * sx - c.mixed * rx,
-            film_normal * c.ny - c.film_shear * sy - c.mixed * ry,
-            film_normal * c.nz - c.film_shear * sz - c.mixed * rz);
+        add(film, film_normal * c.nx - c.film_shear * s.x - c.mixed * r.x,
+            film_normal * c.ny - c.film_shear * s.y - c.mixed * r.y,
+            film_normal * c.nz - c.film_shear * s.z - c.mixed * r.z);
         const double colloid_normal = c.push - c.contact_push - step * c.colloid_stiffness * along;
         add(colloid, colloid_normal * c.nx, colloid_normal * c.ny, colloid_normal * c.nz);
         if (c.colloid_stiffness > 0.0)
@@ -213,22 +194,22 @@ StressSample OverdampedMotion::move(double step, double rate) {
         if (c.touches) {
             const double normal = c.contact_push - step * c.stiffness * along;
             const double spring = step * c.tangential_stiffness;
-            const double tx = c.tx - spring * sx;
-            const double ty = c.ty - spring * sy;
-            const double tz = c.tz - spring * sz;
+            const double tx = c.tx - spring * s.x;
+            const double ty = c.ty - spring * s.y;
+            const double tz = c.tz - spring * s.z;
             add(contact, normal * c.nx + tx, normal * c.ny + ty, normal * c.nz + tz);
             if (is_upper_wall(c, particles_.size()))
                 on_upper.contact += tx;
             if (friction_ > 0.0)
-                keep_spring(c, step * sx - c.tx / c.spring, step * sy - c.ty / c.spring,
-                            step * sz - c.tz / c.spring);
+                keep_spring(c, step * s.x - c.tx / c.spring, step * s.y - c.ty / c.spring,
+                            step * s.z - c.tz / c.spring);
         } else if (friction_ > 0.0) {
             keep_spring(c, 0.0, 0.0, 0.0);
         }
         if (is_wall(c, particles_.size())) {
-            wall_couple -= 0.5 * films_.length_unit * c.ny * (c.mixed * sx + c.pump * rx);
+            wall_couple -= 0.5 * films_.length_unit * c.ny * (c.mixed * s.x + c.pump * r.x);
             if (is_upper_wall(c, particles_.size()))
-                on_upper.hydrodynamic -= c.film_shear * sx + c.mixed * rx;
+                on_upper.hydrodynamic -= c.film_shear * s.x + c.mixed * r.x;
         }
     }
     double fastest_squared = 0.0;
@@ -318,18 +299,7 @@ void OverdampedMotion::restore(const Checkpoint& from) {
 }
 
 void OverdampedMotion::check_places() const {
-    const double least = *std::min_element(particles_.radius.begin(), particles_.radius.end());
-    const double overlap = std::max(sums_.largest_overlap, wall_sums_.largest_overlap);
-    if (overlap > deepest_share * least) {
-        const std::string who =
-            sums_.largest_overlap >= wall_sums_.largest_overlap
-                ? fmt::format("particles {} and {}", sums_.deepest_first, sums_.deepest_second)
-                : fmt::format("particle {} and a wall", wall_sums_.deepest);
-        throw StepFailure(fmt::format(
-            "{} overlap by {:.3g} m at t = {:.6g} s, {:.2g} of the smallest radius: the contact is "
-            "too soft for the forces on it ({})",
-            who, overlap, time_, overlap / least, stiffness_key(input_.settings)));
-    }
+    check_overlaps(sums_, wall_sums_, particles_, input_.settings, time_);
     // Without contacts nothing but the film, which roughness lets through, keeps them inside.
     for (std::size_t i = 0; box_.walls && i < particles_.size(); ++i)
         if (!(particles_.y[i] > 0.0 && particles_.y[i] < box_.length_y))

@@ -1,6 +1,7 @@
 #include "solvers/suspension/pair_resistance.hpp"
 
 #include "solvers/particles/lanes.hpp"
+#include "solvers/suspension/pair_kinematics.hpp"
 
 #include <algorithm>
 
@@ -59,50 +60,29 @@ void PairResistance::add_pairs(std::size_t begin, std::size_t end, const Motions
         }
         particles::transpose(a);
         particles::transpose(apart);
-        const auto& [ux, uy, uz, wx, wy, wz, unused_1, unused_2] = apart;
-        const Lanes nx = column(nx_, at);
-        const Lanes ny = column(ny_, at);
-        const Lanes nz = column(nz_, at);
+        const Vector<Lanes> n{column(nx_, at), column(ny_, at), column(nz_, at)};
         const Lanes lever_first = column(lever_first_, at);
         const Lanes lever_second = column(lever_second_, at);
-        const Lanes both = lever_first + lever_second;
-        const Lanes along = ux * nx + uy * ny + uz * nz;
         // lever_1 w_1 + lever_2 w_2 by the first's and the difference.
-        const Lanes lx = both * a[3] + lever_second * wx;
-        const Lanes ly = both * a[4] + lever_second * wy;
-        const Lanes lz = both * a[5] + lever_second * wz;
-        const Lanes sx = ux - along * nx - (ly * nz - lz * ny);
-        const Lanes sy = uy - along * ny - (lz * nx - lx * nz);
-        const Lanes sz = uz - along * nz - (lx * ny - ly * nx);
-        const Lanes rx = wy * nz - wz * ny;
-        const Lanes ry = wz * nx - wx * nz;
-        const Lanes rz = wx * ny - wy * nx;
-        const Lanes shear = column(shear_, at);
+        const Vector<Lanes> turning{apart[3], apart[4], apart[5]};
+        const PairMotion<Lanes> motion = pair_motion<Lanes>(
+            n, {apart[0], apart[1], apart[2]},
+            combined<Lanes>(lever_first + lever_second, {a[3], a[4], a[5]}, lever_second, turning),
+            turning);
         const Lanes mixed = column(mixed_, at);
-        const Lanes pump = column(pump_, at);
-        const Lanes qx = shear * sx + mixed * rx;
-        const Lanes qy = shear * sy + mixed * ry;
-        const Lanes qz = shear * sz + mixed * rz;
-        const Lanes px = mixed * sx + pump * rx;
-        const Lanes py = mixed * sy + pump * ry;
-        const Lanes pz = mixed * sz + pump * rz;
-        const Lanes normal = column(squeeze_, at) * along;
-        const Lanes twist = column(twist_, at) * (wx * nx + wy * ny + wz * nz);
-        const Lanes nqx = ny * qz - nz * qy;
-        const Lanes nqy = nz * qx - nx * qz;
-        const Lanes nqz = nx * qy - ny * qx;
+        const PairPush<Lanes> push =
+            pair_push<Lanes>(n, column(squeeze_, at) * motion.along,
+                             combined(column(shear_, at), motion.shear, mixed, motion.roll),
+                             combined(mixed, motion.shear, column(pump_, at), motion.roll));
+        const auto& [nqx, nqy, nqz] = push.arm;
         // The couple that first and second have against each other.
-        const Lanes cx = ny * pz - nz * py + twist * nx;
-        const Lanes cy = nz * px - nx * pz + twist * ny;
-        const Lanes cz = nx * py - ny * px + twist * nz;
-        Lanes one[8] = {normal * nx + qx,
-                        normal * ny + qy,
-                        normal * nz + qz,
-                        lever_first * nqx + cx,
-                        lever_first * nqy + cy,
-                        lever_first * nqz + cz,
-                        Lanes{},
-                        Lanes{}};
+        const Lanes twist = column(twist_, at) * dot(turning, n);
+        const Lanes cx = push.couple.x + twist * n.x;
+        const Lanes cy = push.couple.y + twist * n.y;
+        const Lanes cz = push.couple.z + twist * n.z;
+        Lanes one[8] = {
+            push.force.x,           push.force.y,           push.force.z, lever_first * nqx + cx,
+            lever_first * nqy + cy, lever_first * nqz + cz, Lanes{},      Lanes{}};
         Lanes two[8] = {one[0],
                         one[1],
                         one[2],
