@@ -51,11 +51,7 @@ MeshExtent extent_for(const MeshDomain& domain, const MeshSettings& settings) {
         check_eccentric(settings);
         return MeshExtent::full;
     }
-    if (settings.extent)
-        return *settings.extent;
-    if (!settings.wedge_angle || *settings.wedge_angle <= widest_wedge)
-        return MeshExtent::wedge;
-    return *settings.wedge_angle >= turn * (1 - 1e-12) ? MeshExtent::full : MeshExtent::sector;
+    return extent_of(settings);
 }
 
 double angle_for(MeshExtent extent, const MeshSettings& settings) {
@@ -123,6 +119,14 @@ int angular_cells_for(const MeshChoices& choices, const MeshDomain& domain,
 }
 
 } // namespace
+
+MeshExtent extent_of(const MeshSettings& settings) {
+    if (settings.extent)
+        return *settings.extent;
+    if (!settings.wedge_angle || *settings.wedge_angle <= widest_wedge)
+        return MeshExtent::wedge;
+    return *settings.wedge_angle >= turn * (1 - 1e-12) ? MeshExtent::full : MeshExtent::sector;
+}
 
 MeshChoices choices_in(const MeshDomain& domain, const MeshSubject& subject,
                        const MeshSettings& settings) {

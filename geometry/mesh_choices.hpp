@@ -15,6 +15,9 @@ struct MeshChoices {
     double radius_factor = 1.0; ///< on every radius of the mesh
 };
 
+/// What is meshed of a body of revolution whose rotor is centred.
+[[nodiscard]] MeshExtent extent_of(const MeshSettings& settings);
+
 /// Settles the settings for a domain of this subject. Throws MeshError.
 [[nodiscard]] MeshChoices choices_in(const MeshDomain& domain, const MeshSubject& subject,
                                      const MeshSettings& settings);

@@ -81,10 +81,13 @@ std::string solution(const FoamCase& foam) {
                            "relaxationFactors {{ equations {{ U {}; }} fields {{ p {}; }} }}\n",
                            foam.cautious ? "no" : "yes", foam.cautious ? "1e-5" : "1e-6",
                            foam.cautious ? 0.7 : 0.9, foam.cautious ? 0.3 : 1.0);
+    const bool swirl_alone = foam.swirl_corrections > 0;
     return text +
-           "PISO { nCorrectors 2; nNonOrthogonalCorrectors 0; pRefCell 0; pRefValue 0; }\n"
-           "PIMPLE { nOuterCorrectors 2; nCorrectors 2; nNonOrthogonalCorrectors 0; pRefCell "
-           "0; pRefValue 0; }\n";
+           fmt::format("PISO {{ nCorrectors 2; nNonOrthogonalCorrectors 0; pRefCell 0; pRefValue "
+                       "0; }}\nPIMPLE {{ nOuterCorrectors {}; nCorrectors {}; "
+                       "turbOnFinalIterOnly no; nNonOrthogonalCorrectors 0; pRefCell 0; pRefValue "
+                       "0; }}\n",
+                       swirl_alone ? foam.swirl_corrections : 2, swirl_alone ? 0 : 2);
 }
 
 std::string transport(const FoamCase& foam) {

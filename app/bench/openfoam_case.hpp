@@ -28,6 +28,9 @@ struct FoamCase {
     /// Horizontal cuts are planes of symmetry, and the flow is disturbed at the start by so many
     /// m/s along the axis: for vortices. 0: the cuts are "empty".
     double disturbance{};
+    /// Of pimpleFoam: so many corrections a step of the swirl alone, on which no pressure acts;
+    /// none of the pressure. 0: two, with the pressure.
+    int swirl_corrections{};
     /// Of simpleFoam: SIMPLE with strong relaxation, where SIMPLEC diverges.
     bool cautious{};
 };

@@ -50,13 +50,17 @@ void slice_of(FoamCase& foam) {
 }
 
 /// A ramp from rest in an endless gap, a row a second.
-Peer ramp_peer(const BenchScene& scene, int cells, double step, double cost) {
-    return {"OpenFOAM pisoFoam", fmt::format("1 deg, {} cells across, step {} s", cells, step),
-            cost,
-            [scene, cells, step](const fs::path& folder, double limit, const StopQuestion& stop) {
+/// @param corrections  of pimpleFoam on the swirl alone, in each step; 0: pisoFoam
+Peer ramp_peer(const BenchScene& scene, int cells, double step, int corrections, double cost) {
+    const std::string solver = corrections > 0 ? "pimpleFoam" : "pisoFoam";
+    return {"OpenFOAM " + solver,
+            fmt::format("1 deg, {} cells across, step {} s{}", cells, step,
+                        corrections > 0 ? ", swirl alone" : ""),
+            cost, [=](const fs::path& folder, double limit, const StopQuestion& stop) {
                 const Case source = case_of(scene, 1e-3);
                 const auto rows = solvers::make_plan(source.scene).rows;
-                FoamCase foam = start_of("pisoFoam", source.scene, cells);
+                FoamCase foam = start_of(solver, source.scene, cells);
+                foam.swirl_corrections = corrections;
                 slice_of(foam);
                 foam.step = step;
                 foam.end_time = rows.back().time;
@@ -80,17 +84,20 @@ Peer ramp_peer(const BenchScene& scene, int cells, double step, double cost) {
 }
 
 /// Steady flow of the slurry at each rate, from rest in so many steps over twenty diffusion times.
-Peer steady_gap_peer(const BenchScene& scene, const char* solver, int cells, int steps,
-                     double cost) {
+/// @param corrections  of pimpleFoam on the swirl alone, in each step; 0: with the pressure
+Peer steady_gap_peer(const BenchScene& scene, const std::string& solver, int cells, int steps,
+                     int corrections, double cost) {
     return {fmt::format("OpenFOAM {}", solver),
-            fmt::format("1 deg, {} cells across, {} steps a rate", cells, steps), cost,
-            [=](const fs::path& folder, double limit, const StopQuestion& stop) {
+            fmt::format("1 deg, {} cells across, {} steps a rate{}", cells, steps,
+                        corrections > 0 ? ", swirl alone" : ""),
+            cost, [=](const fs::path& folder, double limit, const StopQuestion& stop) {
                 const Case source = case_of(scene, 1e-3);
                 const auto& gap = std::get<geometry::ConcentricCylinders>(source.scene.instrument);
                 const double width = gap.cup_radius - gap.bob_radius;
                 PeerRun all;
                 for (const auto& row : solvers::make_plan(source.scene).rows) {
                     FoamCase foam = start_of(solver, source.scene, cells);
+                    foam.swirl_corrections = corrections;
                     slice_of(foam);
                     const double viscosity =
                         std::abs(row.steady_stress / row.shear_rate) / source.scene.fluid.density;
@@ -173,15 +180,16 @@ std::vector<Peer> openfoam_peers(const BenchScene& scene) {
     if (foam_environment().empty() || !is_installed("pisoFoam") || !is_installed("simpleFoam"))
         return {};
     if (scene.name == "single-gap-ramp")
-        return {ramp_peer(scene, 20, 0.05, 0.4), ramp_peer(scene, 40, 0.02, 0.8),
-                ramp_peer(scene, 80, 0.01, 2.5)};
+        return {ramp_peer(scene, 20, 0.05, 0, 0.4), ramp_peer(scene, 40, 0.02, 0, 0.8),
+                ramp_peer(scene, 20, 0.1, 2, 0.2), ramp_peer(scene, 40, 0.05, 2, 0.4)};
     if (scene.name == "double-gap-ramp")
-        return {ramp_peer(scene, 20, 0.05, 0.5), ramp_peer(scene, 40, 0.02, 1.5)};
+        return {ramp_peer(scene, 20, 0.05, 0, 0.5), ramp_peer(scene, 40, 0.05, 2, 0.5)};
     if (scene.name == "slurry-ramp")
-        return {ramp_peer(scene, 20, 0.02, 1.5), ramp_peer(scene, 40, 0.01, 3.0)};
+        return {ramp_peer(scene, 40, 0.01, 0, 3.0), ramp_peer(scene, 20, 0.1, 6, 0.4),
+                ramp_peer(scene, 40, 0.05, 6, 0.8)};
     if (scene.name == "slurry-steady")
-        return {steady_gap_peer(scene, "pisoFoam", 20, 400, 1.0),
-                steady_gap_peer(scene, "pimpleFoam", 40, 800, 4.0)};
+        return {steady_gap_peer(scene, "pimpleFoam", 40, 800, 0, 4.0),
+                steady_gap_peer(scene, "pimpleFoam", 40, 800, 1, 2.0)};
     if (scene.name == "din-creeping")
         return {bob_peer(scene, 5, false, 0.3), bob_peer(scene, 10, false, 0.8),
                 bob_peer(scene, 20, false, 6.0)};

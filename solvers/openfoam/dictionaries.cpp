@@ -31,8 +31,9 @@ std::vector<std::pair<double, double>> speed_table(const CaseFacts& facts) {
     std::vector<std::pair<double, double>> table;
     if (facts.plan.steady) {
         double start = 0.0;
-        for (const double speed : facts.plan.speeds.speeds) {
-            const double end = start + facts.plan.iterations;
+        for (std::size_t row = 0; row < facts.plan.speeds.speeds.size(); ++row) {
+            const double speed = facts.plan.speeds.speeds[row];
+            const double end = end_of_row(facts.plan, row);
             table.emplace_back(start + (start > 0.0 ? 0.5 : 0.0), speed);
             table.emplace_back(end, speed);
             start = end;
@@ -68,21 +69,6 @@ std::string rotor_condition(const CaseFacts& facts) {
     return fmt::format("type            rotatingWallVelocity;\n{0}origin          (0 0 0);\n"
                        "{0}axis            (0 0 1);\n{0}omega           table\n{0}(\n{1}{0});\n",
                        margin, rows);
-}
-
-/// Nothing but the swirl (a box: the velocity along the flow) can be found on this mesh: it has one
-/// cell along the axis and one along the flow.
-bool has_swirl_alone(const CaseFacts& facts) {
-    bool is_flat = false;
-    bool is_wedge = false;
-    std::size_t along_flow = 0;
-    for (const geometry::Patch& patch : facts.mesh.patches) {
-        is_flat |= patch.kind == geometry::PatchKind::flat;
-        is_wedge |= patch.kind == geometry::PatchKind::wedge;
-        if (turns(patch))
-            along_flow += patch.count;
-    }
-    return is_flat && (is_wedge || (is_box(facts) && along_flow == 1));
 }
 
 /// The condition of a patch that is neither wall nor open, for every field.
@@ -161,8 +147,7 @@ std::vector<std::string> cup_patches(const geometry::Mesh& mesh) {
 }
 
 double end_time(const CaseFacts& facts) {
-    return facts.plan.steady ? static_cast<double>(facts.plan.iterations) *
-                                   static_cast<double>(facts.plan.speeds.speeds.size())
+    return facts.plan.steady ? end_of_row(facts.plan, facts.plan.speeds.speeds.size() - 1)
                              : facts.plan.hold + facts.plan.history.duration();
 }
 
@@ -199,7 +184,8 @@ std::string turbulence_properties() {
 std::string control_text(const CaseFacts& facts) {
     const double end = end_time(facts);
     // Fields are for a restart, and for a look at the end; the torque is written in each step.
-    const double interval = facts.plan.steady ? facts.plan.iterations : end / 20.0;
+    const bool has_run_a_row = facts.plan.steady && facts.plan.row_ends.empty();
+    const double interval = has_run_a_row ? facts.plan.iterations : end / 20.0;
     return header("dictionary", "system", "controlDict") +
            fmt::format("application     {};\nstartFrom       latestTime;\nstartTime       0;\n"
                        "stopAt          endTime;\nendTime         {:.17g};\n"
@@ -209,8 +195,7 @@ std::string control_text(const CaseFacts& facts) {
                        "runTimeModifiable true;\n\n"
                        "OptimisationSwitches\n{{\n    fileModificationSkew 0;\n}}\n\n",
                        name_of(facts.plan.application), end, facts.time_step,
-                       facts.plan.steady ? "timeStep" : "runTime", interval,
-                       facts.plan.steady ? 0 : 2) +
+                       has_run_a_row ? "timeStep" : "runTime", interval, has_run_a_row ? 0 : 2) +
            "functions\n{\n" + function_object(facts, "torque_bob", rotor_patches(facts.mesh)) +
            function_object(facts, "torque_cup", cup_patches(facts.mesh)) + "}\n";
 }
@@ -234,30 +219,37 @@ namespace {
 /// The sections PISO, PIMPLE, SIMPLE and relaxationFactors.
 /// @param common  entries that all three have
 std::string algorithms_text(const CaseFacts& facts, const std::string& common) {
-    const bool has_section = !has_swirl_alone(facts);
+    const bool has_section = !facts.plan.swirl_alone;
     // A time step is far beyond the cells' diffusion times, where PISO's splitting of pressure and
-    // velocity does not hold and SIMPLEC's does. In a wedge with the swirl alone the plain one
-    // holds; in a box with one cell along the flow there is no pressure to be found, and none is
-    // corrected.
-    const int corrections = !has_section && is_box(facts) ? 0 : 2;
-    // No factor for UFinal: even one of 1 makes OpenFOAM add to the diagonal what keeps it
-    // dominant, which in a step's last iteration is an error (7 % of the torque of a water ramp).
-    const char* relaxation = !facts.plan.steady ? "1" : has_section ? "0.9" : "0.99";
+    // velocity does not hold and SIMPLEC's does. Where the swirl alone is to be found, no pressure
+    // acts on it: none is corrected, the flux stays that of the start, next to nothing, and what is
+    // left of the momentum equation is exact.
+    const int corrections = has_section ? 2 : 0;
+    // In time even a factor of 1 makes OpenFOAM add to the diagonal what keeps it dominant, which
+    // in a step's last correction is an error (7 % of the torque of a water ramp): none for UFinal,
+    // and none at all for the programs without outer corrections.
+    const double factor = facts.plan.steady ? has_section ? 0.9 : 0.99
+                          : facts.plan.application == FoamApplication::pimple_foam
+                              ? facts.plan.relaxation
+                              : 0.0;
+    const std::string relaxation =
+        factor > 0.0 ? fmt::format("relaxationFactors\n{{\n    equations\n    {{\n"
+                                   "        U               {};\n    }}\n}}\n",
+                                   factor)
+                     : "";
     return fmt::format(
         "PISO\n{{\n    nCorrectors     3;\n{0}}}\n\n"
         "PIMPLE\n{{\n    consistent      {1};\n    nOuterCorrectors {2};\n"
-        "    nCorrectors     {3};\n{0}}}\n\n"
+        "    nCorrectors     {3};\n    turbOnFinalIterOnly no;\n{0}}}\n\n"
         "SIMPLE\n{{\n    consistent      yes;\n{0}"
-        "    residualControl\n    {{\n        U               1e-7;\n    }}\n}}\n\n"
-        "relaxationFactors\n{{\n    equations\n    {{\n        U               {4};\n"
-        "    }}\n}}\n",
+        "    residualControl\n    {{\n        U               1e-7;\n    }}\n}}\n\n{4}",
         common, has_section ? "yes" : "no", facts.plan.outer_corrections, corrections, relaxation);
 }
 
 } // namespace
 
 std::string solution_text(const CaseFacts& facts) {
-    const bool has_section = !has_swirl_alone(facts);
+    const bool has_section = !facts.plan.swirl_alone;
     // The two gaps of a double gap are two systems, of which one has no reference pressure:
     // singular yet consistent, which conjugate gradients can take and an incomplete factorisation
     // cannot.

@@ -1,11 +1,13 @@
 #include "solvers/openfoam/foam_plan.hpp"
 
 #include "geometry/eccentric_annulus.hpp"
+#include "geometry/mesh_choices.hpp"
 #include "laws/flow/flow_law.hpp"
 #include "laws/gap/eccentric_cylinders.hpp"
 #include "rheometry/conversion/conversion.hpp"
+#include "solvers/openfoam/convergence_plan.hpp"
 #include "solvers/openfoam/installation.hpp"
-#include "solvers/openfoam/transport.hpp"
+#include "solvers/openfoam/viscosity_cap.hpp"
 #include "solvers/unsuitable_scene.hpp"
 
 #include <fmt/format.h>
@@ -35,18 +37,33 @@ const geometry::ConcentricCylinders* eccentric_gap(const Scene& scene) {
                : nullptr;
 }
 
+/// Whether a protocol in time is solved as steady rows: in a section, where steps far beyond the
+/// cells' diffusion times are dear and may diverge, and where what inertia may do, with its margin,
+/// takes no more than half of the accuracy.
+bool is_quasi_steady(const Scene& scene, const Plan& plan) {
+    if (scene.profile || plan.vortices ||
+        !(geometry::has_ends(scene.instrument) || geometry::is_eccentric(scene.instrument)))
+        return false;
+    return std::ranges::all_of(plan.rows, [&scene](const RowForecast& row) {
+        return row.speed != 0.0 && inertia_margin * row.lag_share <= 0.5 * scene.solver.accuracy;
+    });
+}
+
 void choose_application(const Scene& scene, const Plan& plan, FoamPlan& foam) {
     const bool is_series = std::holds_alternative<rheometry::SteadySpeeds>(rheometry::schedule(
         scene.protocol, rheometry::conversion_for(scene.instrument, scene.conversion)));
     const bool wants_time = !is_series || plan.vortices;
     if (!scene.solver.application) {
-        foam.steady = !wants_time;
+        foam.quasi_steady = wants_time && is_quasi_steady(scene, plan);
+        foam.steady = !wants_time || foam.quasi_steady;
         foam.application =
             foam.steady ? FoamApplication::simple_foam : FoamApplication::pimple_foam;
         foam.application_reason =
-            foam.steady ? "every row is held until steady"
-                        : "the protocol is in time, and in a wedge the velocity's turn from face "
-                          "to face needs outer corrections in each step";
+            foam.quasi_steady ? "inertia takes less than half of the asked accuracy (the error bar "
+                                "has it), so each row is a steady flow"
+            : foam.steady     ? "every row is held until steady"
+                              : "the protocol is in time, and in a wedge the velocity's turn from "
+                                "face to face needs outer corrections in each step";
         return;
     }
     foam.application = *scene.solver.application;
@@ -63,41 +80,6 @@ void choose_application(const Scene& scene, const Plan& plan, FoamPlan& foam) {
     if (foam.application == FoamApplication::ico_foam && !is_newtonian(scene))
         throw UnsuitableScene("solver.application = \"icoFoam\" is for Newtonian fluids; "
                               "pimpleFoam has the other laws");
-}
-
-/// Rate at which the viscosity reaches its cap, as a part of the slowest row's rate at the wall.
-double cap_part(double accuracy) { return std::clamp(accuracy, 1e-6, 1e-2); }
-
-void choose_cap(const Scene& scene, const Plan& plan, FoamPlan& foam) {
-    foam.cap_error.assign(plan.rows.size(), 0.0);
-    if (!needs_viscosity_cap(scene.fluid.law))
-        return;
-    double slowest = std::numeric_limits<double>::infinity();
-    for (const RowForecast& row : plan.rows)
-        if (row.shear_rate != 0.0)
-            slowest = std::min(slowest, std::abs(row.shear_rate));
-    if (!std::isfinite(slowest))
-        slowest = 1.0;
-    const double rate = cap_part(scene.solver.accuracy) * slowest;
-    foam.viscosity_cap =
-        scene.solver.viscosity_cap.value_or(laws::flow::stress(scene.fluid.law, rate) / rate);
-    // Where the law meets the cap: stress(rate) = cap rate, found by halving in ln rate.
-    double low = std::log(1e-12 * slowest);
-    double high = std::log(1e12 * slowest);
-    for (int i = 0; i < 100; ++i) {
-        const double middle = 0.5 * (low + high);
-        const double at = std::exp(middle);
-        (laws::flow::stress(scene.fluid.law, at) > foam.viscosity_cap * at ? low : high) = middle;
-    }
-    const double cap_rate = std::exp(high);
-    // A cap lowers the torque by 0.22 of cap rate over wall rate where there is a plug
-    // (physics of a gap of 1.5; measured); more is claimed.
-    constexpr double claimed = 0.5;
-    for (std::size_t row = 0; row < plan.rows.size(); ++row)
-        if (plan.rows[row].regime.find("partly-sheared") != std::string::npos ||
-            std::abs(plan.rows[row].shear_rate) < 10.0 * cap_rate)
-            foam.cap_error[row] =
-                std::min(1.0, claimed * cap_rate / std::abs(plan.rows[row].shear_rate));
 }
 
 /// The largest step that meets all rows and corners, a whole fraction of the shortest stretch
@@ -124,16 +106,41 @@ double common_step(const rheometry::SpeedHistory& history) {
     return shortest / 8.0;
 }
 
+/// Whether the mesh will be one cell high around a centred rotor. In time the flow is the swirl
+/// alone then, in a wedge as in the whole turn; steady rows are iterated as a flow in two
+/// directions where there are cells in two.
+bool finds_swirl_alone(const Scene& scene, const FoamPlan& foam) {
+    const geometry::MeshSettings mesh = mesh_settings(scene, foam, 0);
+    const bool one_cell_along =
+        mesh.angular_cells.value_or(1) == 1 &&
+        (is_box(scene) || geometry::extent_of(mesh) == geometry::MeshExtent::wedge);
+    return is_endless(scene) && !foam.vortices && eccentric_gap(scene) == nullptr &&
+           mesh.axial_cells == 1 && !mesh.floor_clearance &&
+           mesh.cells != geometry::CellStyle::tetrahedra && (!foam.steady || one_cell_along);
+}
+
 void choose_time(const Scene& scene, const Plan& plan, FoamPlan& foam) {
     const auto conversion = rheometry::conversion_for(scene.instrument, scene.conversion);
     const auto schedule = rheometry::schedule(scene.protocol, conversion);
-    if (const auto* series = std::get_if<rheometry::SteadySpeeds>(&schedule)) {
-        foam.speeds = *series;
+    const auto* series = std::get_if<rheometry::SteadySpeeds>(&schedule);
+    if (series != nullptr || foam.quasi_steady) {
+        if (series != nullptr)
+            foam.speeds = *series;
+        else
+            for (const RowForecast& row : plan.rows)
+                foam.speeds.speeds.push_back(row.speed);
         if (!plan.vortices) {
             foam.iterations =
                 geometry::has_ends(scene.instrument) || geometry::is_eccentric(scene.instrument)
                     ? 20'000
                     : 10'000;
+            if (foam.swirl_alone && !scene.solver.application)
+                foam.row_ends = row_ends(scene, foam.speeds.speeds);
+            if (!foam.row_ends.empty()) {
+                foam.application = FoamApplication::pimple_foam;
+                foam.application_reason = "every row is iterated until steady, on the swirl alone";
+                foam.outer_corrections = 1;
+            }
             return;
         }
         throw UnsuitableScene("Taylor vortices need time to grow: OpenFOAM solves steady rows past "
@@ -151,10 +158,11 @@ void choose_time(const Scene& scene, const Plan& plan, FoamPlan& foam) {
     const double step = common_step(foam.history);
     // A hundred steps at least over the whole; each row ends a step.
     double wanted = std::min(step / 2.0, foam.history.duration() / 100.0);
-    if (!is_box(scene)) {
-        // Across a wedge the velocity turns with it; OpenFOAM takes that from the last outer
-        // correction, which converges as (angle turned in a step)^corrections.
-        constexpr double largest_angle = 0.4;
+    if (foam.swirl_alone) {
+        constexpr double steps_to_row = 6.0; // or the first row after a start converges late
+        wanted = std::min(step / steps_to_row, foam.history.duration() / 100.0);
+    } else if (!is_box(scene)) {
+        constexpr double largest_angle = 0.4; // that the rotor turns by in a step
         wanted = std::min(wanted, largest_angle / foam.history.fastest_speed());
     }
     foam.coarsest_step = step / std::ceil(step / wanted * (1 - 1e-12));
@@ -194,9 +202,10 @@ void choose_mesh(const Scene& scene, FoamPlan& foam) {
     const auto* eccentric = eccentric_gap(scene);
     const bool has_section =
         geometry::has_ends(scene.instrument) || foam.vortices || eccentric != nullptr;
-    // Of a section each level costs four times the one before, in time eight times.
-    foam.levels = !has_section ? 4 : foam.steady ? 3 : 2;
-    foam.coarsest_cells = has_section ? 10 : 20;
+    // Of a section each level costs four times the one before, in time eight times; of a slice in
+    // time, which few cells cover, twice.
+    foam.levels = !has_section ? (foam.steady ? 4 : 6) : foam.steady ? 3 : 2;
+    foam.coarsest_cells = foam.vortices ? 12 : has_section ? 10 : 20;
     if (eccentric != nullptr)
         foam.coarsest_angular_cells = coarsest_angular_cells(scene, *eccentric, foam.levels);
 }
@@ -243,6 +252,8 @@ FoamPlan plan_foam(const Scene& scene, const Plan& plan) {
         foam.vortex_height = 0.5 * wavelength;
     }
     choose_mesh(scene, foam);
+    foam.swirl_alone = finds_swirl_alone(scene, foam);
+    choose_corrections(scene, foam);
     choose_time(scene, plan, foam);
     choose_cap(scene, plan, foam);
     return foam;

@@ -11,11 +11,16 @@
 
 namespace searle::solvers::openfoam {
 
+/// What is claimed as error where inertia is left out, over the plan's estimate of it.
+constexpr double inertia_margin = 3.0;
+
 /// How a scene is given to OpenFOAM.
 struct FoamPlan {
     FoamApplication application = FoamApplication::pimple_foam;
     std::string application_reason; ///< a clause that holds the reason
     bool steady{};                  ///< row after row until it stands still; else in time
+    /// A protocol in time whose rows are solved as steady ones: inertia is in the error bar.
+    bool quasi_steady{};
     /// Speeds of the steady rows, rad/s (m/s of a box's wall); or the drive's history in time.
     rheometry::SteadySpeeds speeds;
     rheometry::SpeedHistory history;
@@ -26,10 +31,17 @@ struct FoamPlan {
     double viscosity_cap{};
     /// Relative error of a partly sheared row's torque that is claimed for the cap, one a row.
     std::vector<double> cap_error;
+    /// Nothing but the swirl (a box: the velocity along the flow) is to be found: no pressure acts
+    /// on it.
+    bool swirl_alone{};
     int outer_corrections = 3; ///< of pimpleFoam in a time step
-    int iterations{};          ///< most of simpleFoam for a row
-    int levels{};              ///< most levels of refinement, >= 2
-    int coarsest_cells{};      ///< across the gap, on the first level; twice that on each further
+    /// Relaxation factor of the velocity before a time step's last outer correction; 0: none.
+    double relaxation{};
+    int iterations{}; ///< most of simpleFoam for a row
+    /// Steady rows in one run: the iteration with which each ends. Empty: a run for each row.
+    std::vector<long> row_ends;
+    int levels{};         ///< most levels of refinement, >= 2
+    int coarsest_cells{}; ///< across the gap, on the first level; twice that on each further
     /// Around an eccentric bob, on the first level, and twice that on each further; 0: as many on
     /// all levels, for the flow is alike in every direction.
     int coarsest_angular_cells{};
@@ -38,6 +50,13 @@ struct FoamPlan {
     bool vortices{};
     double vortex_height{}; ///< m, one vortex: half of the wavelength
 };
+
+/// OpenFOAM's time, an iteration's number, with which a steady row ends.
+[[nodiscard]] inline double end_of_row(const FoamPlan& plan, std::size_t row) {
+    return plan.row_ends.empty()
+               ? static_cast<double>(plan.iterations) * static_cast<double>(row + 1)
+               : static_cast<double>(plan.row_ends[row]);
+}
 
 /// The name of the program.
 [[nodiscard]] std::string_view name_of(FoamApplication application);

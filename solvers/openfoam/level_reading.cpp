@@ -71,18 +71,45 @@ void read_in_time(const LevelTask& task, const LevelCase& level, LevelResult& re
         result.imbalance = std::abs(gained - level.momentum(velocity)) / worked;
 }
 
+/// What a function object wrote during a steady row, and nothing where the row is not finished.
+class RowLoads {
+public:
+    RowLoads(const LevelTask& task, const LevelCase& level, const char* object)
+        : task_(task), component_(level.component()),
+          folder_(task.folder / "postProcessing" / object) {
+        if (!task.plan.row_ends.empty())
+            all_ = load_history(folder_, component_);
+    }
+
+    [[nodiscard]] std::vector<LoadSample> of(std::size_t row) const {
+        const double start = row == 0 ? 0.0 : end_of_row(task_.plan, row - 1);
+        if (task_.plan.row_ends.empty())
+            return row_is_finished(task_, row)
+                       ? loads_since(folder_, fmt::format("{:.0f}", start), component_)
+                       : std::vector<LoadSample>{};
+        const double end = end_of_row(task_.plan, row);
+        if (all_.empty() || all_.back().time < end - 0.5)
+            return {};
+        return {std::ranges::upper_bound(all_, start + 0.5, {}, &LoadSample::time),
+                std::ranges::upper_bound(all_, end + 0.5, {}, &LoadSample::time)};
+    }
+
+private:
+    const LevelTask& task_;
+    LoadComponent component_;
+    fs::path folder_;
+    std::vector<LoadSample> all_; ///< where one run has all rows
+};
+
 void read_steady(const LevelTask& task, const LevelCase& level, LevelResult& result) {
-    const fs::path post = task.folder / "postProcessing";
     const double factor = level.slice_factor();
     const std::size_t rows = task.plan.speeds.speeds.size();
+    const RowLoads on_bob(task, level, "torque_bob");
+    const RowLoads on_cup(task, level, "torque_cup");
     double worst = 0.0;
     for (std::size_t row = 0; row < rows; ++row) {
-        const std::string start =
-            fmt::format("{}", row * static_cast<std::size_t>(task.plan.iterations));
-        if (!row_is_finished(task, row))
-            break;
-        const auto bob = loads_since(post / "torque_bob", start, level.component());
-        const auto cup = loads_since(post / "torque_cup", start, level.component());
+        const std::vector<LoadSample> bob = on_bob.of(row);
+        const std::vector<LoadSample> cup = on_cup.of(row);
         if (bob.empty() || cup.empty())
             break;
         const double torque = -factor * bob.back().value;

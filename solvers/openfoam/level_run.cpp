@@ -32,10 +32,10 @@ public:
         if (is_parallel() && !fs::exists(task_.folder / "processor0"))
             decompose();
         remove_half_written_times(field_places());
-        if (task_.plan.steady)
+        if (has_run_a_row())
             run_rows(result);
         else
-            run_in_time(result);
+            run_in_one(result);
         if (is_parallel() && result.failure.empty() &&
             start({"reconstructPar", "-latestTime"}, "reconstructPar") != 0)
             fail_if_disk_is_full("reconstructPar");
@@ -50,6 +50,9 @@ public:
     }
 
 private:
+    [[nodiscard]] bool has_run_a_row() const {
+        return task_.plan.steady && task_.plan.row_ends.empty();
+    }
     [[nodiscard]] bool is_parallel() const { return task_.scene.solver.processors > 1; }
     [[nodiscard]] std::string application() const {
         return std::string(name_of(task_.plan.application));
@@ -103,7 +106,7 @@ private:
                 application(), "-parallel"};
     }
 
-    void run_in_time(LevelResult& result) {
+    void run_in_one(LevelResult& result) {
         set_control(task_.folder, "stopAt", "endTime");
         const double end = end_time(level_.facts());
         const std::vector<std::string> times = times_in(fields_folder());
@@ -203,16 +206,19 @@ private:
     }
 
     void look() {
-        if (task_.plan.steady)
+        if (has_run_a_row())
             end_settled_row();
         const LogTail tail = log_tail(log());
         const double done = tail.time.value_or(0.0);
         fraction_ = std::clamp(done / end_time(level_.facts()), 0.0, 1.0);
         stage_ =
-            task_.plan.steady
-                ? fmt::format("{}, {} cells: row {}, iteration {:.0f}", application(),
-                              level_.mesh().mesh.cells.size(), row_ + 1,
-                              done - static_cast<double>(row_) * task_.plan.iterations)
+            has_run_a_row() ? fmt::format("{}, {} cells: row {}, iteration {:.0f}", application(),
+                                          level_.mesh().mesh.cells.size(), row_ + 1,
+                                          std::max(0.0, done - static_cast<double>(row_) *
+                                                                   task_.plan.iterations))
+            : task_.plan.steady
+                ? fmt::format("{}, {} cells: iteration {:.0f} of {:.0f}", application(),
+                              level_.mesh().mesh.cells.size(), done, end_time(level_.facts()))
                 : fmt::format("{}, {} cells: t = {:.4g} s, Courant number {:.2g}", application(),
                               level_.mesh().mesh.cells.size(), done, tail.courant.value_or(0.0));
     }

@@ -20,12 +20,15 @@ std::pair<double, double> moment_of(const Plan& plan, std::size_t row) {
 }
 
 /// What is left of the error on a level of what the level before had: 1/4 for a scheme of second
-/// order. PISO alone lags behind the turn of the velocity across a wedge by a step, and at a yield
-/// surface the stress has a kink: first order.
+/// order. First order: at a yield surface the stress has a kink; in time PISO alone lags behind the
+/// turn of the velocity across a wedge by a step, and relaxed corrections, like those of a
+/// viscosity, leave a part of each step's change behind.
 double expected_decay(const Scene& scene, const FoamPlan& plan) {
-    const bool second_order = plan.application == FoamApplication::pimple_foam ||
-                              plan.application == FoamApplication::simple_foam;
-    return second_order && !needs_viscosity_cap(scene.fluid.law) ? 0.25 : 0.5;
+    const bool second_order =
+        plan.steady ? !needs_viscosity_cap(scene.fluid.law)
+                    : plan.application == FoamApplication::pimple_foam && plan.relaxation == 0.0 &&
+                          std::holds_alternative<laws::flow::Newtonian>(scene.fluid.law);
+    return second_order ? 0.25 : 0.5;
 }
 
 /// Last levels, the finest first; the others may be missing.
@@ -79,6 +82,8 @@ rheometry::TorqueHistory history_of(const Scene& scene, const Plan& plan, const 
             error += last.unsettled[row] +
                      std::abs(torque) * (margin * last.chord_error + foam.cap_error[row]);
         }
+        if (foam.quasi_steady)
+            error += inertia_margin * plan.rows[row].lag_share * std::abs(torque);
         if (!foam.steady && last.imbalance && *last.imbalance > balance_limit)
             error = std::max(error, *last.imbalance * std::abs(torque));
         history.rows.push_back({.time = time,
@@ -123,6 +128,14 @@ public:
 
     [[nodiscard]] bool meets_accuracy() const {
         return results_.size() > 1 && report_.worst_relative_error <= scene_.solver.accuracy;
+    }
+
+    /// Whether a further level is of no use: the accuracy is met and the torques balance, or no
+    /// level will make them.
+    [[nodiscard]] bool is_settled() const {
+        const bool may_balance = foam_.application != FoamApplication::non_newtonian_ico_foam;
+        return meets_accuracy() &&
+               (report_.worst_torque_imbalance <= balance_limit || !may_balance);
     }
 
     /// Makes the report of what is there; `note`: how it ended, empty where all went well.
@@ -247,7 +260,7 @@ radial::RadialReport solve_with_openfoam(const Scene& scene, const Plan& plan,
             throw OpenFoamFailed(failure + "; no row is kept, for nothing bounds their errors");
         if (interrupted || !failure.empty())
             return levels.report(interrupted, failure);
-        if (levels.meets_accuracy())
+        if (levels.is_settled())
             break;
     }
     return levels.report(false, "");

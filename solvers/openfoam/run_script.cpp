@@ -72,8 +72,9 @@ std::string run_script(const CaseFacts& facts) {
         ": \"${WM_PROJECT_DIR:?set it to the folder that holds OpenFOAM's etc/controlDict}\"\n";
     if (parallel)
         text += "[ -d processor0 ] || decomposePar >log.decomposePar 2>&1\n";
-    text += facts.plan.steady ? watch_function(facts) + rows_text(facts, run)
-                              : fmt::format("{} >>log.{} 2>&1\n", run, application);
+    text += facts.plan.steady && facts.plan.row_ends.empty()
+                ? watch_function(facts) + rows_text(facts, run)
+                : fmt::format("{} >>log.{} 2>&1\n", run, application);
     if (parallel)
         text += "reconstructPar -latestTime >log.reconstructPar 2>&1\n";
     return text;

@@ -82,10 +82,12 @@ TEST_F(OpenFoamEngine, two_processes_give_the_torque_of_one) {
 }
 
 TEST_F(OpenFoamEngine, an_interrupted_run_goes_on_to_the_same_result) {
-    ASSERT_EQ(run_case("single-gap-water.toml", "whole", coarse).exit_code, 0);
+    std::vector<std::string> long_enough = coarse;
+    long_enough.emplace_back("solver.time_step=10 ms");
+    ASSERT_EQ(run_case("single-gap-water.toml", "whole", long_enough).exit_code, 0);
     std::vector<std::string> words{
         "run", std::string(SEARLE_SOURCE_DIR) + "/cases/single-gap-water.toml", "-o", "parts"};
-    for (const std::string& setting : coarse) {
+    for (const std::string& setting : long_enough) {
         words.emplace_back("--set");
         words.push_back(setting);
     }
@@ -129,11 +131,38 @@ TEST_F(OpenFoamEngine, written_cases_run_by_hand_and_are_collected) {
     EXPECT_EQ(rheogram_in(folder / "water").points.size(), 10u);
 }
 
+// A slice has all of its steady rows in one run: it goes on where it was stopped, and Allrun is one
+// line.
+TEST_F(OpenFoamEngine, steady_rows_of_a_slice_go_on_in_the_middle_of_one) {
+    const std::vector<std::string> settings{
+        "solver.engine=openfoam", "solver.accuracy=0.02",
+        "protocol={type=\"steps\", shear_rates=[\"0.01 1/s\", \"100 1/s\", \"-0.01 1/s\"], "
+        "hold=\"steady\"}"};
+    ASSERT_EQ(run_case("single-gap-slurry.toml", "whole", settings).exit_code, 0);
+    std::vector<std::string> words = words_for("single-gap-slurry.toml", "parts", settings);
+    std::erase(words, "--quiet");
+    const Start start{.arguments = words,
+                      .directory = folder.path(),
+                      .signal = SIGKILL,
+                      .signal_when = "iteration "};
+    EXPECT_NE(run(start).exit_code, 0);
+    EXPECT_TRUE(fs::exists(folder / "parts.openfoam/level-1"));
+    ASSERT_EQ(run_case("single-gap-slurry.toml", "parts", settings).exit_code, 0);
+    const auto whole = rheogram_in(folder / "whole").points;
+    const auto parts = rheogram_in(folder / "parts").points;
+    ASSERT_EQ(whole.size(), 3u);
+    ASSERT_EQ(parts.size(), whole.size());
+    for (std::size_t row = 0; row < whole.size(); ++row)
+        EXPECT_NEAR(parts[row].torque, whole[row].torque, 1e-8 * whole[0].torque) << row;
+    EXPECT_LT(whole[2].torque, 0.0);
+}
+
 // With residuals asked for that round-off does not let happen, only the watch ends a row.
 TEST_F(OpenFoamEngine, rows_run_by_hand_end_when_their_torque_stands_still) {
     std::vector<std::string> words = words_for(
         "single-gap-water.toml", "water.openfoam",
-        {"solver.engine=openfoam", "solver.accuracy=0.01", "mesh.cells_across_gap=80",
+        {"solver.engine=openfoam", "solver.application=simpleFoam", "solver.accuracy=0.01",
+         "mesh.cells_across_gap=80",
          "protocol={type=\"steps\", shear_rates=[\"1 1/s\", \"3 1/s\"], hold=\"steady\"}"});
     words.insert(words.begin() + 1, "--write-only");
     const Outcome written = run({.arguments = words, .directory = folder.path()});

@@ -247,7 +247,7 @@ TEST(Plan, openfoam_says_which_program_mesh_and_step) {
     const Plan plan = make_plan(scene);
     EXPECT_TRUE(plan.can_be_solved);
     EXPECT_EQ(plan.model, "openfoam pimpleFoam");
-    for (const char* part : {"outer corrections", "20 to 160 cells", "time steps"})
+    for (const char* part : {"outer corrections", "20 to 640 cells", "time steps"})
         EXPECT_NE(plan.model_reason.find(part), std::string::npos) << plan.model_reason;
     EXPECT_GT(plan.expected_seconds, 0.0);
 }

@@ -1,0 +1,97 @@
+#include "running_cases.hpp"
+
+#include <cmath>
+#include <utility>
+
+// Protocols in time, through the installed OpenFOAM, against the native engine, whose own tests
+// hold it to closed forms. Skipped where OpenFOAM is not installed.
+
+namespace searle::app {
+namespace {
+
+using namespace testing;
+
+const std::string water = "model = \"newtonian\"\nviscosity = \"1.0016 mPa.s\"\ndensity = "
+                          "\"998.2 kg/m^3\"\n";
+// A time step is thousands of the cells' diffusion times.
+const std::string oil =
+    "model = \"newtonian\"\nviscosity = \"0.1 Pa.s\"\ndensity = \"900 kg/m^3\"\n";
+const std::string slurry = "model = \"herschel-bulkley\"\nyield_stress = \"5 Pa\"\nconsistency = "
+                           "\"0.5 Pa.s^n\"\nflow_index = 0.5\ndensity = \"1000 kg/m^3\"\n";
+const std::string single_gap = "type = \"single-gap\"\nbob_radius = \"14 mm\"\ncup_radius = \"15 "
+                               "mm\"\nheight = \"42 mm\"\n";
+const std::string din_bob = "type = \"din-bob\"\nbob_radius = \"14 mm\"\ncup_radius = \"15.2 "
+                            "mm\"\n";
+
+class OpenFoamInTime : public OpenFoamRuns {
+protected:
+    /// Rows of both engines, which must agree within the sum of their errors.
+    /// @return the largest error that OpenFOAM's rows claim, over their stress
+    double compare(const std::string& geometry, const std::string& fluid,
+                   const std::string& protocol, const std::string& rest) {
+        write_text(folder / "case.toml", "[geometry]\n" + geometry + "[fluid]\n" + fluid +
+                                             "[protocol]\n" + protocol +
+                                             "[conversion]\ndefinition = \"bob-wall\"\n" + rest);
+        const auto rows_of = [&](const std::string& engine, const std::string& out) {
+            std::vector<std::string> words{
+                "run",     "case.toml", "-o",    out,
+                "--quiet", "--force",   "--set", "solver.engine=" + engine};
+            if (engine == "native")
+                words.insert(words.end(), {"--set", "solver.accuracy=1e-4"});
+            const Outcome outcome = run({.arguments = words, .directory = folder.path()});
+            EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+            return rheogram_in(folder / out).points;
+        };
+        const auto openfoam = rows_of("openfoam", "openfoam");
+        write_text(folder / "case.toml", "[geometry]\n" + geometry + "[fluid]\n" + fluid +
+                                             "[protocol]\n" + protocol +
+                                             "[conversion]\ndefinition = \"bob-wall\"\n");
+        const auto native = rows_of("native", "native");
+        EXPECT_EQ(openfoam.size(), native.size());
+        double largest = 0.0;
+        for (std::size_t row = 0; row < std::min(openfoam.size(), native.size()); ++row) {
+            const double claimed = openfoam[row].stress_error + native[row].stress_error;
+            EXPECT_NEAR(openfoam[row].shear_stress, native[row].shear_stress, claimed) << row;
+            largest = std::max(largest, openfoam[row].stress_error / openfoam[row].shear_stress);
+        }
+        return largest;
+    }
+};
+
+TEST_F(OpenFoamInTime, a_program_without_outer_corrections_lags_by_no_more_than_it_claims) {
+    // pisoFoam takes the turn of the velocity across the wedge from the step before: first order.
+    EXPECT_LT(compare(single_gap, water,
+                      "type = \"ramp\"\nfrom = \"0 1/s\"\nto = \"100 1/s\"\nduration = \"5 "
+                      "s\"\npoints = 10\n",
+                      "[solver]\naccuracy = 0.02\napplication = \"pisoFoam\"\n"),
+              0.02);
+}
+
+TEST_F(OpenFoamInTime, a_sector_of_a_thick_fluid_is_as_right_as_a_wedge) {
+    for (const char* extent : {"wedge_angle = \"30 deg\"", "extent = \"full\""})
+        EXPECT_LT(compare(single_gap, oil,
+                          "type = \"ramp\"\nfrom = \"0 1/s\"\nto = \"100 1/s\"\nduration = \"2 "
+                          "s\"\npoints = 4\n",
+                          std::string("[solver]\naccuracy = 0.02\n[mesh]\n") + extent + "\n"),
+                  0.02)
+            << extent;
+}
+
+TEST_F(OpenFoamInTime, a_thick_fluid_is_followed_around_a_bob_with_ends) {
+    EXPECT_LT(compare(din_bob, oil,
+                      "type = \"ramp\"\nfrom = \"0 1/s\"\nto = \"20 1/s\"\nduration = \"0.5 "
+                      "s\"\npoints = 2\n",
+                      "[solver]\naccuracy = 0.05\n[mesh]\ncells_across_gap = 4\n"),
+              0.05);
+}
+
+TEST_F(OpenFoamInTime, levels_follow_until_the_torques_balance_too) {
+    // After a jump the viscosity takes some corrections: the rows are right long before.
+    EXPECT_LT(compare(single_gap, slurry,
+                      "type = \"steps\"\nshear_rates = [\"10 1/s\", \"100 1/s\"]\nhold = \"2 s\"\n",
+                      "[solver]\naccuracy = 0.01\n"),
+              0.01);
+}
+
+} // namespace
+} // namespace searle::app
