@@ -31,6 +31,9 @@ struct EngineAgreement {
 /// A table for people, with the ratio of processor times.
 [[nodiscard]] std::string agreement_table(const ComparedCase& compared);
 
+/// The same in a sentence for each engine after the first.
+[[nodiscard]] std::vector<std::string> agreement_remarks(const ComparedCase& compared);
+
 /// Columns row, time_s, shear_rate_1_s, and of each engine stress and error; difference over joint
 /// error. Several cases stand below each other with the column `case` in front; a new header says
 /// where other engines finished.

@@ -115,8 +115,11 @@ int compare(const CompareOptions& options) {
     }
     SweepRecord record = sweep_record(solved, all.cases, present_time(), runs.failures);
     const std::vector<ComparedCase> compared = by_case(all, solved, engines.size());
-    for (const ComparedCase& each : compared)
+    for (const ComparedCase& each : compared) {
         warn_of_differences(each, record.summary.warnings);
+        for (std::string& remark : agreement_remarks(each))
+            record.summary.remarks.push_back(std::move(remark));
+    }
     record.summary.files.emplace_back("comparison.csv");
     std::vector<ResultFile> files = files_of(record);
     files.push_back({"comparison.csv", comparison_csv(compared)});

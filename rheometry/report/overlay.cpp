@@ -1,4 +1,5 @@
 #include "rheometry/report/deviation.hpp"
+#include "rheometry/report/engine_difference.hpp"
 #include "rheometry/report/figure.hpp"
 #include "rheometry/report/flow_series.hpp"
 #include "rheometry/report/number_text.hpp"
@@ -308,6 +309,9 @@ std::string render_overlay(const OverlayInput& input) {
     body += "<div class=\"figures\">\n";
     body += figure_html(overlay_figure(input, Quantity::viscosity, "viscosity"), 1);
     body += figure_html(overlay_figure(input, Quantity::shear_stress, "stress"), 2);
+    if (const auto difference = engine_difference_figure(input)) {
+        body += figure_html(*difference, 3);
+    }
     body += "</div>\n<h2>Runs</h2>\n" + run_table(input);
     if (has_particles(input)) {
         body += "<h2>Stress of the particles</h2>\n" + particle_table(input, 2);

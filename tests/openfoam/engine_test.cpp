@@ -311,6 +311,10 @@ TEST_F(OpenFoamEngine, engines_are_compared_side_by_side) {
     EXPECT_NE(outcome.out.find("5 of 5 rows within both errors"), std::string::npos) << outcome.out;
     EXPECT_EQ(names_in(folder / "two"),
               "comparison.csv native openfoam report.html rheograms.csv summary.json");
+    EXPECT_NE(text_of(folder / "two/report.html").find("Difference of the engines"),
+              std::string::npos);
+    EXPECT_NE(text_of(folder / "two/summary.json").find("5 of 5 rows of openfoam lie within"),
+              std::string::npos);
 }
 
 TEST(OpenFoamMissing, its_absence_names_the_package_and_writes_nothing) {
