@@ -3,6 +3,7 @@
 #include "solvers/openfoam/case_folder.hpp"
 #include "solvers/openfoam/child_process.hpp"
 #include "solvers/openfoam/disk_space.hpp"
+#include "solvers/openfoam/installation.hpp"
 #include "solvers/openfoam/level_reading.hpp"
 #include "solvers/openfoam/log_tail.hpp"
 #include "solvers/openfoam/run_script.hpp"
@@ -279,6 +280,13 @@ LevelResult run_level(const LevelTask& task, const ProgressSink& progress) {
 LevelResult read_level(const LevelTask& task) {
     const LevelCase level(task);
     LevelResult result = read_results(task, level);
+    const std::string version =
+        version_in_log(task.folder / fmt::format("log.{}", name_of(task.plan.application)));
+    if (!version.empty() && version != supported_version.substr(1)) // without its v
+        result.notes.push_back(fmt::format("{}: OpenFOAM {} solved it; the case is written for {}, "
+                                           "and other versions read some of its entries "
+                                           "differently or not at all.",
+                                           task.folder.string(), version, supported_version));
     if (const auto changed = changed_files(task.folder, level.facts()); !changed.empty())
         result.notes.push_back(fmt::format("{}: {} {} changed since searle wrote {}; the result is "
                                            "of the case as it was run.",

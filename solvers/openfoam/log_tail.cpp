@@ -47,4 +47,21 @@ LogTail log_tail(const std::filesystem::path& log) {
     return tail;
 }
 
+std::string version_in_log(const std::filesystem::path& log) {
+    std::ifstream stream(log);
+    std::string line;
+    for (int lines = 0; lines < 40 && std::getline(stream, line); ++lines) {
+        // "Build  : OPENFOAM=1912 patch=200626", or of others "Build  : 8-1c9b5879390b".
+        if (!line.starts_with("Build "))
+            continue;
+        const std::size_t colon = line.find(": ");
+        std::string value = colon == std::string::npos ? "" : line.substr(colon + 2);
+        constexpr std::string_view name = "OPENFOAM=";
+        if (value.starts_with(name))
+            value.erase(0, name.size());
+        return value.substr(0, value.find(' '));
+    }
+    return "";
+}
+
 } // namespace searle::solvers::openfoam

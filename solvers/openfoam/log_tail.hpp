@@ -16,4 +16,7 @@ struct LogTail {
 /// Reads the last 16 kB of a log. Empty where it cannot be read.
 [[nodiscard]] LogTail log_tail(const std::filesystem::path& log);
 
+/// The version that wrote a log, as its head says ("1912", "8-1c9b5879390b"); empty: it does not.
+[[nodiscard]] std::string version_in_log(const std::filesystem::path& log);
+
 } // namespace searle::solvers::openfoam

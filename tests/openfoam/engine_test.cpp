@@ -129,6 +129,18 @@ TEST_F(OpenFoamEngine, written_cases_run_by_hand_and_are_collected) {
     const Outcome outcome = run(collect);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(rheogram_in(folder / "water").points.size(), 10u);
+    EXPECT_EQ(text_of(folder / "water/summary.json").find("other versions"), std::string::npos);
+
+    // A cluster has another version.
+    const fs::path log = folder / "water.openfoam/level-2/log.pimpleFoam";
+    std::string text = text_of(log);
+    const std::size_t version = text.find("OPENFOAM=1912");
+    ASSERT_NE(version, std::string::npos);
+    write_text(log, text.replace(version, 13, "OPENFOAM=2206"));
+    const Outcome other = run(
+        {.arguments = {"collect", "water.openfoam", "-o", "again"}, .directory = folder.path()});
+    EXPECT_EQ(other.exit_code, 0) << other.err;
+    EXPECT_NE(other.err.find("OpenFOAM 2206 solved it"), std::string::npos) << other.err;
 }
 
 // A slice has all of its steady rows in one run: it goes on where it was stopped, and Allrun is one
