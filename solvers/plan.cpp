@@ -28,8 +28,8 @@ bool needs_inertia(const Scene& scene, const Forecast& forecast) {
         return false;
     }
     constexpr double margin = 100.0;
-    return std::any_of(forecast.facts.begin(), forecast.facts.end(), [&](const RowFacts& facts) {
-        return margin * facts.largest_lag > scene.solver.accuracy;
+    return std::ranges::any_of(forecast.rows, [&](const RowForecast& row) {
+        return margin * row.largest_lag_share > scene.solver.accuracy;
     });
 }
 
@@ -83,8 +83,8 @@ std::string why_transient(const Scene& scene, const Forecast& forecast, bool tra
         return "every row is held until steady";
     }
     double largest = 0.0;
-    for (const RowFacts& facts : forecast.facts) {
-        largest = std::max(largest, facts.largest_lag);
+    for (const RowForecast& row : forecast.rows) {
+        largest = std::max(largest, row.largest_lag_share);
     }
     return transient
                ? fmt::format("inertia is up to {} of the stress, more than a hundredth of the "

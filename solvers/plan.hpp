@@ -38,6 +38,9 @@ struct TaylorOnset {
     std::string basis; ///< what the numbers rest on, a full sentence
 };
 
+/// How much more than the plan's estimate of an effect is claimed as error where it is left out.
+inline constexpr double left_out_margin = 3.0;
+
 /// What holds at one row of the result.
 struct RowForecast {
     /// s; for a steady series the estimated time at which an instrument that goes through the
@@ -50,6 +53,9 @@ struct RowForecast {
     double taylor_ratio{};  ///< Re / Re_critical; 0 for the box
     /// Estimated part of the stress that is inertia: |inertial| / (|steady| + |inertial|), 0 ... 1.
     double lag_share{};
+    /// The same, no less than that of the slowest part of the fluid: of a bob, what stands above and
+    /// below it.
+    double largest_lag_share{};
     /// Estimated part of the torque that is secondary flow at a bob's ends, 0 ... 1.
     double end_flow_share{};
 };

@@ -96,7 +96,7 @@ Forecast forecast(const Scene& scene) {
         row.speed = speeds[i];
         row.shear_rate = result.conversion.shear_rate(row.speed);
         row.lag_share = lags[i].share;
-        facts.largest_lag = lags[i].largest;
+        row.largest_lag_share = lags[i].largest;
         if (row.speed != 0.0) {
             const SteadyState& state = curve.at(row.speed);
             row.steady_stress =

@@ -15,7 +15,6 @@ struct RowFacts {
     double reynolds{};        ///< R_bob omega d / nu with the full gap; box: U h / nu
     double end_reynolds{};    ///< omega R_bob^2 / nu
     double end_flow_share{};  ///< 0 for an instrument without ends
-    double largest_lag{};     ///< upper estimate of the lag share
     /// Relative difference between the converted stress and the law's at the converted rate.
     double definition_error{};
 };

@@ -16,13 +16,13 @@ PlanItem inertia_item(const Scene& scene, const Forecast& forecast, bool transie
                             forecast.rows.back().time)};
     }
     if (!transient) {
-        const std::size_t worst =
-            row_of_largest(forecast, [&](std::size_t i) { return forecast.facts[i].largest_lag; });
+        const std::size_t worst = row_of_largest(
+            forecast, [&](std::size_t i) { return forecast.rows[i].largest_lag_share; });
         return {
             "inertia", false,
             fmt::format("Its part of the stress is {} at the most (row {}, t = {:.4g} s), less "
                         "than a hundredth of the asked accuracy of {}: each row is a steady flow.",
-                        percent(forecast.facts[worst].largest_lag), worst + 1,
+                        percent(forecast.rows[worst].largest_lag_share), worst + 1,
                         forecast.rows[worst].time, percent(scene.solver.accuracy))};
     }
     const std::size_t worst =

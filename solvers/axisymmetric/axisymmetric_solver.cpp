@@ -16,9 +16,6 @@
 namespace searle::solvers::axisymmetric {
 namespace {
 
-/// How much more than the plan's estimate of an effect is claimed as error where it is left out.
-constexpr double left_out_margin = 3.0;
-
 std::vector<double> speeds_of(const Plan& plan) {
     std::vector<double> speeds;
     for (const RowForecast& row : plan.rows) {

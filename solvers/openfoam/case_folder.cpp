@@ -117,6 +117,17 @@ void set_control(const fs::path& folder, const std::string& key, const std::stri
     fs::rename(part, file);
 }
 
+std::string control_entry(const fs::path& folder, const std::string& key) {
+    std::ifstream stream(folder / "system/controlDict");
+    for (std::string line; std::getline(stream, line);) {
+        if (!line.starts_with(key + ' '))
+            continue;
+        const std::size_t start = line.find_first_not_of(' ', key.size());
+        return line.substr(start, line.find(';') - start);
+    }
+    return "";
+}
+
 std::vector<std::string> times_in(const fs::path& folder) {
     std::vector<std::string> names;
     for (const auto& [value, name] : time_folders(folder))

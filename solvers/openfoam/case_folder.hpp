@@ -16,6 +16,10 @@ void write_case(const std::filesystem::path& folder, const CaseFacts& facts);
 void set_control(const std::filesystem::path& folder, const std::string& key,
                  const std::string& value);
 
+/// An entry of system/controlDict that stands on a line of its own; empty where there is none.
+[[nodiscard]] std::string control_entry(const std::filesystem::path& folder,
+                                        const std::string& key);
+
 /// Names of the time folders that hold a velocity, in the order of time.
 /// @param folder  a case, or one of its processor folders
 [[nodiscard]] std::vector<std::string> times_in(const std::filesystem::path& folder);

@@ -14,47 +14,62 @@ bool is_newtonian(const Scene& scene) {
     return std::holds_alternative<laws::flow::Newtonian>(scene.fluid.law);
 }
 
-/// Least stress in the gap over the largest at the rotor.
-double stress_span(const geometry::Instrument& instrument) {
+struct RateSpan {
+    double least, largest; ///< in all gaps, over the rate at the rotor's (outer) wall
+};
+
+/// Of a fluid whose stress falls as 1 / r^2; the rates of a double gap's inner gap are taken to be
+/// to those of the outer one as a Newtonian fluid's are, within a half.
+double rate_over_speed(double inner, double outer) {
+    return 2.0 * outer * outer / (outer * outer - inner * inner);
+}
+
+RateSpan span_of(const geometry::Instrument& instrument, const laws::flow::AnyFlowLaw& law,
+                 double rate) {
+    const auto across = [&law](double at, double stress_ratio) {
+        const double stress = stress_ratio * laws::flow::stress(law, at);
+        return stress <= laws::flow::yield_stress(law) ? 0.0 : laws::flow::rate(law, stress);
+    };
     if (const auto* gap = std::get_if<geometry::ConcentricCylinders>(&instrument))
-        return std::pow(gap->bob_radius / gap->cup_radius, 2);
-    if (const auto* gap = std::get_if<geometry::DoubleGap>(&instrument))
-        return std::pow(gap->radii[0] / gap->radii[1] * gap->radii[2] / gap->radii[3], 2);
-    return 1.0;
+        return {across(rate, std::pow(gap->bob_radius / gap->cup_radius, 2)), rate};
+    if (const auto* gap = std::get_if<geometry::DoubleGap>(&instrument)) {
+        const auto& r = gap->radii;
+        const double outer_end = across(rate, std::pow(r[2] / r[3], 2));
+        const double at_post = rate * rate_over_speed(r[0], r[1]) / rate_over_speed(r[2], r[3]);
+        const double inner_end = across(at_post, std::pow(r[0] / r[1], 2));
+        constexpr double margin = 1.5;
+        return {std::min(outer_end, inner_end / margin), std::max(rate, at_post * margin)};
+    }
+    return {rate, rate};
 }
 
 /// d ln stress / d ln rate.
 double slope_at(const laws::flow::AnyFlowLaw& law, double rate) {
-    constexpr double step = 1e-3; // of ln rate
-    return std::log(laws::flow::stress(law, rate * std::exp(step)) /
-                    laws::flow::stress(law, rate * std::exp(-step))) /
-           (2.0 * step);
+    return std::visit([rate](const auto& it) { return static_cast<double>(it.log_slope(rate)); },
+                      law);
 }
 
 constexpr long most_iterations = 3000;
 constexpr long enough_with_plug = 2000;
 constexpr long fewest_iterations = 10;
 
-/// Iterations of a row whose rotor turns at `speed`; 0 where they would not converge.
+/// Iterations of a row whose rotor turns at `speed`.
 long iterations_at(const Scene& scene, double speed) {
     if (is_newtonian(scene) || speed == 0.0)
         return fewest_iterations;
     const laws::flow::AnyFlowLaw& law = scene.fluid.law;
     const radial::SteadyInstrumentFlow flow =
         radial::steady_instrument_flow(scene.instrument, law, speed);
-    const double largest = laws::flow::stress(law, flow.rotor_wall_rate);
-    const double least = stress_span(scene.instrument) * largest;
-    if (flow.partly_sheared || least <= laws::flow::yield_stress(law))
+    const RateSpan span = span_of(scene.instrument, law, flow.rotor_wall_rate);
+    if (flow.partly_sheared || span.least <= 0.0)
         return enough_with_plug;
     double left = 0.0; // of an error, after an iteration
     constexpr int parts = 8;
     for (int part = 0; part <= parts; ++part) {
-        const double stress = least * std::pow(largest / least, static_cast<double>(part) / parts);
-        left = std::max(left, std::abs(1.0 - slope_at(law, laws::flow::rate(law, stress))));
+        const double share = static_cast<double>(part) / parts;
+        const double rate = span.least * std::pow(span.largest / span.least, share);
+        left = std::max(left, std::abs(1.0 - slope_at(law, rate)));
     }
-    constexpr double hardly = 0.99;
-    if (left > hardly && slope_at(law, flow.rotor_wall_rate) > 1.0)
-        return 0;
     constexpr double aim = 1e-9;
     constexpr double margin = 1.3;
     const double count = margin * std::log(aim) / std::log(std::clamp(left, 1e-3, 1.0 - 1e-9));
@@ -65,6 +80,13 @@ long iterations_at(const Scene& scene, double speed) {
 
 void choose_corrections(const Scene& scene, FoamPlan& foam) {
     const bool is_rate_dependent = !is_newtonian(scene);
+    if (foam.steady) {
+        // A march in time with a step of about relaxation / (1 - relaxation) cells' diffusion
+        // times: where nothing but the swirl is to be found it may be long.
+        foam.relaxation = foam.swirl_alone ? 0.99 : 0.9;
+        foam.outer_corrections = 1;
+        return;
+    }
     if (foam.swirl_alone) {
         // A wedge takes the turn of the velocity from side to side from the correction before, and
         // the second has it to 1e-5 (measured). A viscosity that falls with the rate is found by
@@ -87,10 +109,7 @@ std::vector<long> row_ends(const Scene& scene, const std::vector<double>& speeds
     std::vector<long> ends;
     long end = 0;
     for (const double speed : speeds) {
-        const long iterations = iterations_at(scene, speed);
-        if (iterations == 0)
-            return {};
-        end += iterations;
+        end += iterations_at(scene, speed);
         ends.push_back(end);
     }
     return ends;

@@ -6,15 +6,15 @@
 
 namespace searle::solvers::openfoam {
 
-/// Sets how often the corrections of a time step are repeated, and with which relaxation.
-/// @param foam  with swirl_alone and vortices
+/// Sets how often the corrections of a time step are repeated, and the relaxation.
+/// @param foam  with steady, swirl_alone and vortices
 void choose_corrections(const Scene& scene, FoamPlan& foam);
 
 /// Steady rows of a slice, where each iteration puts in the viscosity of the one before and solves
 /// for the swirl: where the stress goes as the s-th power of the rate an error shrinks to |1 - s|
 /// of itself each time. As many iterations a row as bring it to 1e-9, from the steady flow's rates;
 /// where there is a plug as many as were enough (measured: 3e-6 after a thousand).
-/// @return the iteration with which each row ends; empty where the iteration would not converge
+/// @return the iteration with which each row ends
 [[nodiscard]] std::vector<long> row_ends(const Scene& scene, const std::vector<double>& speeds);
 
 } // namespace searle::solvers::openfoam

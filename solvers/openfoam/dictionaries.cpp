@@ -184,8 +184,8 @@ std::string turbulence_properties() {
 std::string control_text(const CaseFacts& facts) {
     const double end = end_time(facts);
     // Fields are for a restart, and for a look at the end; the torque is written in each step.
-    const bool has_run_a_row = facts.plan.steady && facts.plan.row_ends.empty();
-    const double interval = has_run_a_row ? facts.plan.iterations : end / 20.0;
+    const bool row_by_row = runs_row_by_row(facts.plan);
+    const double interval = row_by_row ? facts.plan.iterations : end / writes_in_a_run;
     return header("dictionary", "system", "controlDict") +
            fmt::format("application     {};\nstartFrom       latestTime;\nstartTime       0;\n"
                        "stopAt          endTime;\nendTime         {:.17g};\n"
@@ -195,7 +195,7 @@ std::string control_text(const CaseFacts& facts) {
                        "runTimeModifiable true;\n\n"
                        "OptimisationSwitches\n{{\n    fileModificationSkew 0;\n}}\n\n",
                        name_of(facts.plan.application), end, facts.time_step,
-                       has_run_a_row ? "timeStep" : "runTime", interval, has_run_a_row ? 0 : 2) +
+                       row_by_row ? "timeStep" : "runTime", interval, row_by_row ? 0 : 2) +
            "functions\n{\n" + function_object(facts, "torque_bob", rotor_patches(facts.mesh)) +
            function_object(facts, "torque_cup", cup_patches(facts.mesh)) + "}\n";
 }
@@ -226,12 +226,11 @@ std::string algorithms_text(const CaseFacts& facts, const std::string& common) {
     // left of the momentum equation is exact.
     const int corrections = has_section ? 2 : 0;
     // In time even a factor of 1 makes OpenFOAM add to the diagonal what keeps it dominant, which
-    // in a step's last correction is an error (7 % of the torque of a water ramp): none for UFinal,
+    // in a step's last correction is an error (9 % of the torque of a water ramp): none for UFinal,
     // and none at all for the programs without outer corrections.
-    const double factor = facts.plan.steady ? has_section ? 0.9 : 0.99
-                          : facts.plan.application == FoamApplication::pimple_foam
-                              ? facts.plan.relaxation
-                              : 0.0;
+    const bool relaxes = facts.plan.application == FoamApplication::simple_foam ||
+                         facts.plan.application == FoamApplication::pimple_foam;
+    const double factor = relaxes ? facts.plan.relaxation : 0.0;
     const std::string relaxation =
         factor > 0.0 ? fmt::format("relaxationFactors\n{{\n    equations\n    {{\n"
                                    "        U               {};\n    }}\n}}\n",
@@ -255,8 +254,6 @@ std::string solution_text(const CaseFacts& facts) {
     // cannot.
     const bool is_double_gap =
         std::holds_alternative<geometry::DoubleGap>(facts.scene.instrument) && !has_section;
-    // Under-relaxation is a march in time with a step of about relaxation / (1 - relaxation) cells'
-    // diffusion times: where nothing but the swirl is to be found it may be long.
     const std::string algorithm = "    nNonOrthogonalCorrectors " +
                                   std::string(has_section ? "1" : "0") +
                                   ";\n    pRefCell        0;\n    pRefValue       0;\n";

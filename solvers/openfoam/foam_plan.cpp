@@ -3,7 +3,6 @@
 #include "geometry/eccentric_annulus.hpp"
 #include "geometry/mesh_choices.hpp"
 #include "laws/flow/flow_law.hpp"
-#include "laws/gap/eccentric_cylinders.hpp"
 #include "rheometry/conversion/conversion.hpp"
 #include "solvers/openfoam/convergence_plan.hpp"
 #include "solvers/openfoam/installation.hpp"
@@ -28,7 +27,10 @@ bool is_newtonian(const Scene& scene) {
 
 bool is_box(const Scene& scene) { return std::holds_alternative<geometry::Box>(scene.instrument); }
 
-bool is_endless(const Scene& scene) { return !geometry::has_ends(scene.instrument); }
+/// Of a profile the instrument is but what its torques are converted with.
+bool is_endless(const Scene& scene) {
+    return !scene.profile && !geometry::has_ends(scene.instrument);
+}
 
 /// The single gap whose bob is off the cup's axis; null for everything else.
 const geometry::ConcentricCylinders* eccentric_gap(const Scene& scene) {
@@ -38,14 +40,13 @@ const geometry::ConcentricCylinders* eccentric_gap(const Scene& scene) {
 }
 
 /// Whether a protocol in time is solved as steady rows: in a section, where steps far beyond the
-/// cells' diffusion times are dear and may diverge, and where what inertia may do, with its margin,
-/// takes no more than half of the accuracy.
+/// cells' diffusion times are dear and may diverge, and where what inertia may do takes no more
+/// than half of the accuracy.
 bool is_quasi_steady(const Scene& scene, const Plan& plan) {
-    if (scene.profile || plan.vortices ||
-        !(geometry::has_ends(scene.instrument) || geometry::is_eccentric(scene.instrument)))
+    if (scene.profile || plan.vortices || (is_endless(scene) && eccentric_gap(scene) == nullptr))
         return false;
     return std::ranges::all_of(plan.rows, [&scene](const RowForecast& row) {
-        return row.speed != 0.0 && inertia_margin * row.lag_share <= 0.5 * scene.solver.accuracy;
+        return row.speed != 0.0 && left_out_inertia(scene, row) <= 0.5 * scene.solver.accuracy;
     });
 }
 
@@ -62,12 +63,12 @@ void choose_application(const Scene& scene, const Plan& plan, FoamPlan& foam) {
             foam.quasi_steady ? "inertia takes less than half of the asked accuracy (the error bar "
                                 "has it), so each row is a steady flow"
             : foam.steady     ? "every row is held until steady"
-                              : "the protocol is in time, and in a wedge the velocity's turn from "
-                                "face to face needs outer corrections in each step";
+                              : "the protocol is in time, with outer corrections in each step";
         return;
     }
     foam.application = *scene.solver.application;
-    foam.steady = foam.application == FoamApplication::simple_foam;
+    foam.steady = foam.application == FoamApplication::simple_foam ||
+                  (foam.application == FoamApplication::pimple_foam && !wants_time);
     foam.application_reason = "the case asks for it";
     if (foam.steady && !is_series)
         throw UnsuitableScene("solver.application = \"simpleFoam\" solves steady rows; this "
@@ -106,17 +107,21 @@ double common_step(const rheometry::SpeedHistory& history) {
     return shortest / 8.0;
 }
 
-/// Whether the mesh will be one cell high around a centred rotor. In time the flow is the swirl
-/// alone then, in a wedge as in the whole turn; steady rows are iterated as a flow in two
-/// directions where there are cells in two.
-bool finds_swirl_alone(const Scene& scene, const FoamPlan& foam) {
+/// Whether the mesh will be one cell high around a centred rotor, and how long that cell is. In
+/// time the flow is the swirl alone then, in a wedge as in the whole turn; steady rows, and
+/// programs that always correct the pressure, are iterated as a flow in two directions where there
+/// are cells in two.
+void find_swirl(const Scene& scene, FoamPlan& foam) {
     const geometry::MeshSettings mesh = mesh_settings(scene, foam, 0);
-    const bool one_cell_along =
-        mesh.angular_cells.value_or(1) == 1 &&
-        (is_box(scene) || geometry::extent_of(mesh) == geometry::MeshExtent::wedge);
-    return is_endless(scene) && !foam.vortices && eccentric_gap(scene) == nullptr &&
-           mesh.axial_cells == 1 && !mesh.floor_clearance &&
-           mesh.cells != geometry::CellStyle::tetrahedra && (!foam.steady || one_cell_along);
+    const bool one_cell_high =
+        is_endless(scene) && !foam.vortices && eccentric_gap(scene) == nullptr &&
+        !mesh.floor_clearance && mesh.axial_cells.value_or(mesh.slice_height ? 1 : 0) == 1 &&
+        mesh.cells.value_or(geometry::CellStyle::hexahedra) == geometry::CellStyle::hexahedra;
+    foam.one_cell_along = mesh.angular_cells.value_or(1) == 1 &&
+                          (is_box(scene) || extent_of(mesh) == geometry::MeshExtent::wedge);
+    foam.swirl_alone =
+        one_cell_high &&
+        (foam.one_cell_along || (!foam.steady && foam.application == FoamApplication::pimple_foam));
 }
 
 void choose_time(const Scene& scene, const Plan& plan, FoamPlan& foam) {
@@ -134,12 +139,17 @@ void choose_time(const Scene& scene, const Plan& plan, FoamPlan& foam) {
                 geometry::has_ends(scene.instrument) || geometry::is_eccentric(scene.instrument)
                     ? 20'000
                     : 10'000;
-            if (foam.swirl_alone && !scene.solver.application)
-                foam.row_ends = row_ends(scene, foam.speeds.speeds);
-            if (!foam.row_ends.empty()) {
+            const bool may_be_one_run =
+                foam.application == FoamApplication::pimple_foam || !scene.solver.application;
+            if (foam.swirl_alone && may_be_one_run) {
                 foam.application = FoamApplication::pimple_foam;
                 foam.application_reason = "every row is iterated until steady, on the swirl alone";
-                foam.outer_corrections = 1;
+                foam.row_ends = row_ends(scene, foam.speeds.speeds);
+                foam.relaxation = 0.0;
+            } else if (foam.application == FoamApplication::pimple_foam) {
+                throw UnsuitableScene(
+                    "solver.application = \"pimpleFoam\" has steady rows in a wedge one cell high "
+                    "alone; of this mesh: simpleFoam, or a hold in seconds");
             }
             return;
         }
@@ -158,7 +168,7 @@ void choose_time(const Scene& scene, const Plan& plan, FoamPlan& foam) {
     const double step = common_step(foam.history);
     // A hundred steps at least over the whole; each row ends a step.
     double wanted = std::min(step / 2.0, foam.history.duration() / 100.0);
-    if (foam.swirl_alone) {
+    if (foam.swirl_alone && foam.application == FoamApplication::pimple_foam) {
         constexpr double steps_to_row = 6.0; // or the first row after a start converges late
         wanted = std::min(step / steps_to_row, foam.history.duration() / 100.0);
     } else if (!is_box(scene)) {
@@ -200,14 +210,27 @@ void choose_mesh(const Scene& scene, FoamPlan& foam) {
         return;
     }
     const auto* eccentric = eccentric_gap(scene);
-    const bool has_section =
-        geometry::has_ends(scene.instrument) || foam.vortices || eccentric != nullptr;
-    // Of a section each level costs four times the one before, in time eight times; of a slice in
+    const bool is_slice = is_endless(scene) && !foam.vortices && eccentric == nullptr;
+    const bool is_wedge =
+        is_box(scene) || geometry::extent_of(scene.mesh) == geometry::MeshExtent::wedge;
+    // Of a section each level costs four times the one before, in time eight times; of a wedge in
     // time, which few cells cover, twice.
-    foam.levels = !has_section ? (foam.steady ? 4 : 6) : foam.steady ? 3 : 2;
-    foam.coarsest_cells = foam.vortices ? 12 : has_section ? 10 : 20;
+    foam.levels = !is_slice ? (foam.steady ? 3 : 2) : foam.steady || !is_wedge ? 4 : 6;
+    foam.coarsest_cells = foam.vortices ? 12 : is_slice ? 20 : 10;
     if (eccentric != nullptr)
         foam.coarsest_angular_cells = coarsest_angular_cells(scene, *eccentric, foam.levels);
+}
+
+/// Of laws that have one, else 1.
+double flow_index_of(const laws::flow::AnyFlowLaw& law) {
+    return std::visit(
+        [](const auto& it) {
+            if constexpr (requires { it.flow_index; })
+                return it.flow_index;
+            else
+                return 1.0;
+        },
+        law);
 }
 
 } // namespace
@@ -238,6 +261,11 @@ FoamPlan plan_foam(const Scene& scene, const Plan& plan) {
     if (geometry::is_eccentric(scene.instrument) && scene.solver.model == Model::axisymmetric)
         throw UnsuitableScene("solver.model = \"axisymmetric\": the flow around an eccentric bob "
                               "(geometry.offset) is not; model = \"auto\" or \"3d\"");
+    if (flow_index_of(scene.fluid.law) >= 2.0)
+        throw UnsuitableScene(
+            "fluid.flow_index of 2 or more: OpenFOAM puts in the viscosity of the "
+            "iteration before, which does not converge then; engine = \"native\" "
+            "solves it");
     FoamPlan foam;
     choose_application(scene, plan, foam);
     foam.vortices = plan.vortices && plan.taylor.has_value();
@@ -252,7 +280,7 @@ FoamPlan plan_foam(const Scene& scene, const Plan& plan) {
         foam.vortex_height = 0.5 * wavelength;
     }
     choose_mesh(scene, foam);
-    foam.swirl_alone = finds_swirl_alone(scene, foam);
+    find_swirl(scene, foam);
     choose_corrections(scene, foam);
     choose_time(scene, plan, foam);
     choose_cap(scene, plan, foam);
@@ -306,68 +334,12 @@ geometry::MeshSettings mesh_settings(const Scene& scene, const FoamPlan& plan, i
     return mesh;
 }
 
-namespace {
-
-void describe_offset(const geometry::ConcentricCylinders& gap, Plan& plan) {
-    const double ratio =
-        laws::gap::EccentricCylinders{gap.bob_radius, gap.cup_radius, gap.offset}.torque_ratio();
-    plan.items.push_back(
-        {"offset", true,
-         fmt::format("The bob's axis is {:.4g} mm, {:.4g} of the gap, off the cup's: a slice one "
-                     "cell high of the whole turn. A Newtonian fluid in creeping flow has {:.6g} "
-                     "times the torque of a centred bob (exact); forecasts of inertia, regime and "
-                     "the onset of Taylor vortices are those of the centred bob.",
-                     1e3 * gap.offset, gap.offset / gap.gap(), ratio)});
-    plan.warnings.push_back(
-        fmt::format("The conversion takes the bob as centred: by its offset of {:.4g} of the gap a "
-                    "Newtonian fluid in creeping flow reads {:.4g} % too thick.",
-                    gap.offset / gap.gap(), 100.0 * (ratio - 1.0)));
-}
-
-} // namespace
-
-void describe(const Scene& scene, const FoamPlan& foam, Plan& plan) {
-    plan.model = fmt::format("openfoam {}", name_of(foam.application));
-    const bool is_plane = is_endless(scene) && !foam.vortices && !scene.mesh.extent &&
-                          !scene.mesh.axial_cells && scene.mesh.wedge_angle.value_or(0.0) < 0.2;
-    plan.model_reason = fmt::format(
-        "OpenFOAM's {}: {}; {}; {} to {} cells across the gap{}.", name_of(foam.application),
-        foam.application_reason,
-        is_box(scene)                     ? "one cell along the flow and the width"
-        : foam.coarsest_angular_cells > 0 ? "the whole turn, one cell high"
-        : is_plane                        ? "a wedge one cell thick and one cell high"
-                                          : "the mesh of searle mesh",
-        mesh_settings(scene, foam, 0).cells_across_gap.value_or(0),
-        mesh_settings(scene, foam, foam.levels - 1).cells_across_gap.value_or(0),
-        foam.steady ? ""
-                    : fmt::format(", time steps of {:.3g} to {:.3g} s", foam.coarsest_step,
-                                  std::ldexp(foam.coarsest_step, 1 - foam.levels)));
-    plan.items.push_back(
-        {"grid error", true,
-         "Levels of twice the cells and half the time step follow each other until "
-         "the difference of the last two, which is claimed as error, meets the "
-         "asked accuracy."});
-    if (const auto* gap = eccentric_gap(scene))
-        describe_offset(*gap, plan);
-    if (foam.viscosity_cap > 0.0)
-        plan.items.push_back(
-            {"yield surface", false,
-             fmt::format("OpenFOAM lets unyielded fluid creep at {:.3g} Pa s "
-                         "(solver.viscosity_cap); up to {:.2g} % of the torque is claimed for it.",
-                         foam.viscosity_cap,
-                         100.0 * std::ranges::max(foam.cap_error.empty() ? std::vector{0.0}
-                                                                         : foam.cap_error))});
-    const double across = mesh_settings(scene, foam, 1).cells_across_gap.value_or(40);
-    const double cells =
-        across * (foam.vortices                          ? across
-                  : geometry::has_ends(scene.instrument) ? 15.0 * across
-                  : foam.coarsest_angular_cells > 0      ? 2.0 * foam.coarsest_angular_cells
-                                                         : 1.0);
-    const double steps = foam.steady ? 2000.0 * static_cast<double>(foam.speeds.speeds.size())
-                                     : (foam.hold + foam.history.duration()) /
-                                           (0.5 * foam.coarsest_step) * foam.outer_corrections;
-    plan.expected_unknowns = std::lround(4.0 * cells);
-    plan.expected_seconds = 1.3 * steps * (2e-4 + 8e-6 * cells);
+double left_out_inertia(const Scene& scene, const RowForecast& row) {
+    // Around a bob off its axis the fluid on the wide side follows later, as the square of its
+    // width.
+    const auto* gap = eccentric_gap(scene);
+    const double widest = gap == nullptr ? 1.0 : 1.0 + gap->offset / gap->gap();
+    return left_out_margin * widest * widest * row.largest_lag_share;
 }
 
 } // namespace searle::solvers::openfoam

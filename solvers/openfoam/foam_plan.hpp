@@ -11,9 +11,6 @@
 
 namespace searle::solvers::openfoam {
 
-/// What is claimed as error where inertia is left out, over the plan's estimate of it.
-constexpr double inertia_margin = 3.0;
-
 /// How a scene is given to OpenFOAM.
 struct FoamPlan {
     FoamApplication application = FoamApplication::pimple_foam;
@@ -32,10 +29,13 @@ struct FoamPlan {
     /// Relative error of a partly sheared row's torque that is claimed for the cap, one a row.
     std::vector<double> cap_error;
     /// Nothing but the swirl (a box: the velocity along the flow) is to be found: no pressure acts
-    /// on it.
+    /// on it, and pimpleFoam corrects none.
     bool swirl_alone{};
+    /// The mesh is a wedge, or a box one cell long: no periodic sides that a correction late sees.
+    bool one_cell_along{};
     int outer_corrections = 3; ///< of pimpleFoam in a time step
-    /// Relaxation factor of the velocity before a time step's last outer correction; 0: none.
+    /// Relaxation factor of the velocity: of simpleFoam, and of pimpleFoam before a time step's
+    /// last correction; 0: none.
     double relaxation{};
     int iterations{}; ///< most of simpleFoam for a row
     /// Steady rows in one run: the iteration with which each ends. Empty: a run for each row.
@@ -50,6 +50,18 @@ struct FoamPlan {
     bool vortices{};
     double vortex_height{}; ///< m, one vortex: half of the wavelength
 };
+
+/// How often a run that is not row by row writes its fields, for a restart and for a look at the
+/// end.
+inline constexpr double writes_in_a_run = 20.0;
+
+/// Whether each steady row is a run of its own, ended where it stands still.
+[[nodiscard]] inline bool runs_row_by_row(const FoamPlan& plan) {
+    return plan.steady && plan.row_ends.empty();
+}
+
+/// What inertia may do to a row that is solved without it, over its torque.
+[[nodiscard]] double left_out_inertia(const Scene& scene, const RowForecast& row);
 
 /// OpenFOAM's time, an iteration's number, with which a steady row ends.
 [[nodiscard]] inline double end_of_row(const FoamPlan& plan, std::size_t row) {

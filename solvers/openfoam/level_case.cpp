@@ -25,7 +25,8 @@ std::string settled_control(const std::string& text) {
     std::istringstream lines(text);
     std::string kept;
     for (std::string line; std::getline(lines, line);)
-        if (!line.starts_with("endTime ") && !line.starts_with("stopAt "))
+        if (!line.starts_with("endTime ") && !line.starts_with("stopAt ") &&
+            !line.starts_with("writeInterval "))
             kept += line + '\n';
     return kept;
 }

@@ -27,11 +27,11 @@ std::optional<double> value_at(const std::vector<LoadSample>& samples, double ti
     return before.value + part * (after->value - before.value);
 }
 
-/// Integral from 0 over the samples: over the first step as an implicit step sums it, then by
-/// trapezoids.
-double integral_of(const std::vector<LoadSample>& samples, const auto& integrand) {
+/// Integral from 0 over the samples up to a time: over the first step as an implicit step sums it,
+/// then by trapezoids.
+double integral_of(const std::vector<LoadSample>& samples, double until, const auto& integrand) {
     double sum = 0.0;
-    for (std::size_t at = 0; at < samples.size(); ++at) {
+    for (std::size_t at = 0; at < samples.size() && samples[at].time <= until; ++at) {
         const double before = at == 0 ? 0.0 : samples[at - 1].time;
         const double mean = at == 0 ? integrand(at) : 0.5 * (integrand(at - 1) + integrand(at));
         sum += mean * (samples[at].time - before);
@@ -62,11 +62,12 @@ void read_in_time(const LevelTask& task, const LevelCase& level, LevelResult& re
         velocity_at(task.folder, times.back(), level.mesh().mesh.cells.size());
     if (velocity.empty())
         return;
+    const double until = std::stod(times.back()) + tolerance;
     // Force on the rotor by the fluid is minus the drive's; that on the cup brakes the fluid.
-    const double gained =
-        integral_of(bob, [&](std::size_t at) { return -factor * (bob[at].value + cup[at].value); });
+    const double gained = integral_of(
+        bob, until, [&](std::size_t at) { return -factor * (bob[at].value + cup[at].value); });
     const double worked =
-        integral_of(bob, [&](std::size_t at) { return std::abs(factor * bob[at].value); });
+        integral_of(bob, until, [&](std::size_t at) { return std::abs(factor * bob[at].value); });
     if (worked > 0.0)
         result.imbalance = std::abs(gained - level.momentum(velocity)) / worked;
 }
@@ -75,20 +76,16 @@ void read_in_time(const LevelTask& task, const LevelCase& level, LevelResult& re
 class RowLoads {
 public:
     RowLoads(const LevelTask& task, const LevelCase& level, const char* object)
-        : task_(task), component_(level.component()),
-          folder_(task.folder / "postProcessing" / object) {
-        if (!task.plan.row_ends.empty())
-            all_ = load_history(folder_, component_);
-    }
+        : task_(task),
+          all_(load_history(task.folder / "postProcessing" / object, level.component())) {}
 
     [[nodiscard]] std::vector<LoadSample> of(std::size_t row) const {
         const double start = row == 0 ? 0.0 : end_of_row(task_.plan, row - 1);
-        if (task_.plan.row_ends.empty())
-            return row_is_finished(task_, row)
-                       ? loads_since(folder_, fmt::format("{:.0f}", start), component_)
-                       : std::vector<LoadSample>{};
         const double end = end_of_row(task_.plan, row);
-        if (all_.empty() || all_.back().time < end - 0.5)
+        const bool is_finished = runs_row_by_row(task_.plan)
+                                     ? row_is_finished(task_, row)
+                                     : !all_.empty() && all_.back().time > end - 0.5;
+        if (!is_finished)
             return {};
         return {std::ranges::upper_bound(all_, start + 0.5, {}, &LoadSample::time),
                 std::ranges::upper_bound(all_, end + 0.5, {}, &LoadSample::time)};
@@ -96,9 +93,7 @@ public:
 
 private:
     const LevelTask& task_;
-    LoadComponent component_;
-    fs::path folder_;
-    std::vector<LoadSample> all_; ///< where one run has all rows
+    std::vector<LoadSample> all_;
 };
 
 void read_steady(const LevelTask& task, const LevelCase& level, LevelResult& result) {

@@ -33,7 +33,7 @@ public:
         if (is_parallel() && !fs::exists(task_.folder / "processor0"))
             decompose();
         remove_half_written_times(field_places());
-        if (has_run_a_row())
+        if (runs_row_by_row(task_.plan))
             run_rows(result);
         else
             run_in_one(result);
@@ -51,9 +51,6 @@ public:
     }
 
 private:
-    [[nodiscard]] bool has_run_a_row() const {
-        return task_.plan.steady && task_.plan.row_ends.empty();
-    }
     [[nodiscard]] bool is_parallel() const { return task_.scene.solver.processors > 1; }
     [[nodiscard]] std::string application() const {
         return std::string(name_of(task_.plan.application));
@@ -107,12 +104,27 @@ private:
                 application(), "-parallel"};
     }
 
+    /// Finds the time that the next program starts from. What an earlier one wrote from there
+    /// before it was killed goes: OpenFOAM would put its own into another file beside it.
+    void prepare_start() {
+        const std::vector<std::string> times = times_in(fields_folder());
+        start_ = times.empty() ? "0" : times.back();
+        for (const char* object : {"torque_bob", "torque_cup"})
+            fs::remove_all(task_.folder / "postProcessing" / object / start_);
+    }
+
     void run_in_one(LevelResult& result) {
         set_control(task_.folder, "stopAt", "endTime");
         const double end = end_time(level_.facts());
-        const std::vector<std::string> times = times_in(fields_folder());
-        if (!times.empty() && std::stod(times.back()) > end - 0.5 * level_.facts().time_step)
+        prepare_start();
+        const double from = std::stod(start_);
+        if (from > end - 0.5 * level_.facts().time_step)
             return;
+        // OpenFOAM counts its intervals from where it starts, and writes at the end only where one
+        // ends there.
+        if (from > 0.0)
+            set_control(task_.folder, "writeInterval",
+                        fmt::format("{:.17g}", (end - from) / writes_in_a_run));
         note_end(start(solver_command(), application()), result);
     }
 
@@ -126,6 +138,7 @@ private:
             set_control(task_.folder, "endTime", end);
             set_control(task_.folder, "stopAt", "endTime");
             is_settled_ = false;
+            prepare_start();
             note_end(start(solver_command(), application()), result);
             if (result.interrupted || !result.failure.empty())
                 return;
@@ -188,13 +201,11 @@ private:
     void end_settled_row() {
         if (is_settled_)
             return;
-        const std::string start =
-            fmt::format("{}", row_ * static_cast<std::size_t>(task_.plan.iterations));
         // What still moves is told by a few of the last ones.
         constexpr int few = 20;
         for (const int count : {few, settled_iterations + 200}) {
             const std::vector<LoadSample> loads = last_loads(
-                task_.folder / "postProcessing/torque_bob", start, level_.component(), count);
+                task_.folder / "postProcessing/torque_bob", start_, level_.component(), count);
             if (loads.size() < static_cast<std::size_t>(count == few ? few : settled_iterations))
                 return;
             const auto [least, most] =
@@ -207,16 +218,17 @@ private:
     }
 
     void look() {
-        if (has_run_a_row())
+        if (runs_row_by_row(task_.plan))
             end_settled_row();
         const LogTail tail = log_tail(log());
         const double done = tail.time.value_or(0.0);
         fraction_ = std::clamp(done / end_time(level_.facts()), 0.0, 1.0);
         stage_ =
-            has_run_a_row() ? fmt::format("{}, {} cells: row {}, iteration {:.0f}", application(),
-                                          level_.mesh().mesh.cells.size(), row_ + 1,
-                                          std::max(0.0, done - static_cast<double>(row_) *
-                                                                   task_.plan.iterations))
+            runs_row_by_row(task_.plan)
+                ? fmt::format(
+                      "{}, {} cells: row {}, iteration {:.0f}", application(),
+                      level_.mesh().mesh.cells.size(), row_ + 1,
+                      std::max(0.0, done - static_cast<double>(row_) * task_.plan.iterations))
             : task_.plan.steady
                 ? fmt::format("{}, {} cells: iteration {:.0f} of {:.0f}", application(),
                               level_.mesh().mesh.cells.size(), done, end_time(level_.facts()))
@@ -228,6 +240,7 @@ private:
     const LevelCase& level_;
     const ProgressSink& progress_;
     std::size_t row_ = 0;
+    std::string start_ = "0"; ///< time that the program running started from
     bool is_settled_ = false; ///< the row was told to end
     double fraction_ = 0.0;
     std::string stage_ = "openfoam";
@@ -279,6 +292,13 @@ LevelResult run_level(const LevelTask& task, const ProgressSink& progress) {
 
 LevelResult read_level(const LevelTask& task) {
     const LevelCase level(task);
+    // Steady rows stand at other iterations in each program.
+    const std::string application = control_entry(task.folder, "application");
+    if (task.plan.steady && application != name_of(task.plan.application))
+        throw UnsuitableScene(fmt::format(
+            "{}: its steady rows are {}'s, which this version has {} for; collect it with the "
+            "version that wrote it, or write it anew",
+            task.folder.string(), application, name_of(task.plan.application)));
     LevelResult result = read_results(task, level);
     const std::string version =
         version_in_log(task.folder / fmt::format("log.{}", name_of(task.plan.application)));

@@ -85,11 +85,6 @@ std::vector<LoadSample> load_history(const fs::path& object_folder, LoadComponen
     return all;
 }
 
-std::vector<LoadSample> loads_since(const fs::path& object_folder, std::string_view start,
-                                    LoadComponent component) {
-    return samples_in(object_folder / start / file_name(component), component);
-}
-
 std::vector<LoadSample> last_loads(const fs::path& object_folder, std::string_view start,
                                    LoadComponent component, int count) {
     constexpr std::streamoff line_length = 256; // a time, nine numbers of 22 characters, brackets

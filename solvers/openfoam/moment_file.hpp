@@ -24,10 +24,6 @@ enum class LoadComponent {
 [[nodiscard]] std::vector<LoadSample> load_history(const std::filesystem::path& object_folder,
                                                    LoadComponent component);
 
-/// The samples of one (re)start, named by its time; empty where there are none.
-[[nodiscard]] std::vector<LoadSample> loads_since(const std::filesystem::path& object_folder,
-                                                  std::string_view start, LoadComponent component);
-
 /// The last samples that one (re)start wrote so far, in the order of time: about `count` of them,
 /// or all there are. Takes no longer for a long file.
 [[nodiscard]] std::vector<LoadSample> last_loads(const std::filesystem::path& object_folder,

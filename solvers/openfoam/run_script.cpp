@@ -33,10 +33,10 @@ std::string rows_text(const CaseFacts& facts, const std::string& run) {
     return fmt::format(R"(
 end=0
 for row in $(seq 1 {rows}); do
-    start=$end
     end=$((row * {iterations}))
     [ -d {first_place}$end ] && continue
     sed -i -e "s/^endTime .*/endTime         $end;/" -e "s/^stopAt .*/stopAt          endTime;/" system/controlDict
+    prepare_start
     watch_row $start &
     watch=$!
     code=0
@@ -58,6 +58,32 @@ done
                        fmt::arg("places", parallel ? "processor*" : "."));
 }
 
+/// A shell function that finds where the solver starts from, and removes what an earlier one wrote
+/// from there before it was killed.
+std::string start_function(bool parallel) {
+    return fmt::format(R"(
+prepare_start() {{
+    start=$(ls {} | grep -E '^[0-9][0-9.e+-]*$' | sort -g | tail -n 1)
+    rm -rf postProcessing/torque_bob/$start postProcessing/torque_cup/$start
+}}
+)",
+                       parallel ? "processor0" : ".");
+}
+
+/// All of it in one run, on from where it stands.
+std::string one_run_text(const CaseFacts& facts, const std::string& run) {
+    return fmt::format(R"(
+prepare_start
+interval=$(awk "BEGIN {{ if ($start > 0 && $start < {end:.17g}) printf \"%.15g\", ({end:.17g} - $start) / {writes} }}")
+[ -z "$interval" ] || sed -i "s/^writeInterval .*/writeInterval   $interval;/" system/controlDict
+sed -i "s/^stopAt .*/stopAt          endTime;/" system/controlDict
+{run} >>log.{application} 2>&1
+)",
+                       fmt::arg("end", end_time(facts)), fmt::arg("writes", writes_in_a_run),
+                       fmt::arg("run", run),
+                       fmt::arg("application", name_of(facts.plan.application)));
+}
+
 } // namespace
 
 std::string run_script(const CaseFacts& facts) {
@@ -72,9 +98,9 @@ std::string run_script(const CaseFacts& facts) {
         ": \"${WM_PROJECT_DIR:?set it to the folder that holds OpenFOAM's etc/controlDict}\"\n";
     if (parallel)
         text += "[ -d processor0 ] || decomposePar >log.decomposePar 2>&1\n";
-    text += facts.plan.steady && facts.plan.row_ends.empty()
-                ? watch_function(facts) + rows_text(facts, run)
-                : fmt::format("{} >>log.{} 2>&1\n", run, application);
+    text += start_function(parallel);
+    text += runs_row_by_row(facts.plan) ? watch_function(facts) + rows_text(facts, run)
+                                        : one_run_text(facts, run);
     if (parallel)
         text += "reconstructPar -latestTime >log.reconstructPar 2>&1\n";
     return text;

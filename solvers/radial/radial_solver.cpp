@@ -14,9 +14,6 @@
 namespace searle::solvers::radial {
 namespace {
 
-/// How much more than the plan's estimate of the inertial share is claimed as error where the
-/// inertia is left out.
-constexpr double inertia_margin = 3.0;
 constexpr std::size_t rows_between_reports = 256;
 
 /// The factor by which the ends of the instrument raise the endless cylinder's torque.
@@ -59,7 +56,7 @@ RadialReport without_inertia(const Scene& scene, const Plan& plan, double factor
                 row.torque = last_sign * yield;
                 row.torque_error = error_at_rest(row.torque, yield);
             } else if (inertia_skipped) {
-                row.torque_error += inertia_margin * plan.rows[k].lag_share *
+                row.torque_error += left_out_margin * plan.rows[k].lag_share *
                                     std::max(std::abs(row.torque), std::abs(last_torque));
             }
             const double scale = std::max(std::abs(row.torque), 1e-3 * std::abs(last_torque));

@@ -340,6 +340,7 @@ void plan_suspension(const Scene& scene, Forecast& forecast, Plan& plan) {
         // Sheared everywhere at once: nothing lags behind a wall.
         for (RowForecast& row : forecast.rows) {
             row.lag_share = 0.0;
+            row.largest_lag_share = 0.0;
             row.regime = "laminar";
         }
     plan.items = items_for(scene, forecast, choice);

@@ -169,6 +169,28 @@ TEST_F(OpenFoamEngine, steady_rows_of_a_slice_go_on_in_the_middle_of_one) {
     EXPECT_LT(whole[2].torque, 0.0);
 }
 
+// Killed before anything was written, within a row that is a run of its own.
+TEST_F(OpenFoamEngine, a_row_that_was_killed_is_run_again) {
+    const std::vector<std::string> settings{
+        "solver.engine=openfoam", "solver.application=simpleFoam", "solver.accuracy=0.01",
+        "mesh.cells_across_gap=160",
+        "protocol={type=\"steps\", shear_rates=[\"1 1/s\", \"3 1/s\"], hold=\"steady\"}"};
+    ASSERT_EQ(run_case("single-gap-water.toml", "whole", settings).exit_code, 0);
+    std::vector<std::string> words = words_for("single-gap-water.toml", "parts", settings);
+    std::erase(words, "--quiet");
+    const Outcome killed = run({.arguments = words,
+                                .directory = folder.path(),
+                                .signal = SIGKILL,
+                                .signal_when = "row 1"});
+    EXPECT_NE(killed.exit_code, 0);
+    ASSERT_EQ(run_case("single-gap-water.toml", "parts", settings).exit_code, 0);
+    const auto whole = rheogram_in(folder / "whole").points;
+    const auto parts = rheogram_in(folder / "parts").points;
+    ASSERT_EQ(parts.size(), whole.size());
+    for (std::size_t row = 0; row < whole.size(); ++row)
+        EXPECT_NEAR(parts[row].torque / whole[row].torque, 1.0, 1e-8) << row;
+}
+
 // With residuals asked for that round-off does not let happen, only the watch ends a row.
 TEST_F(OpenFoamEngine, rows_run_by_hand_end_when_their_torque_stands_still) {
     std::vector<std::string> words = words_for(

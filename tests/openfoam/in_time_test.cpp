@@ -85,6 +85,22 @@ TEST_F(OpenFoamInTime, a_thick_fluid_is_followed_around_a_bob_with_ends) {
               0.05);
 }
 
+TEST_F(OpenFoamInTime, where_inertia_is_negligible_the_rows_of_a_section_are_steady) {
+    write_text(folder / "case.toml",
+               "[geometry]\n" + single_gap + "offset = \"0.3 mm\"\n[fluid]\n" + oil +
+                   "[protocol]\ntype = \"ramp\"\nfrom = \"0 1/s\"\nto = \"20 1/s\"\nduration = "
+                   "\"35 s\"\npoints = 2\n[solver]\nengine = \"openfoam\"\naccuracy = "
+                   "0.05\n[mesh]\ncells_across_gap = 10\n");
+    const Outcome outcome = run(
+        {.arguments = {"run", "case.toml", "-o", "out", "--quiet"}, .directory = folder.path()});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(text_of(folder / "out/summary.json").find("openfoam simpleFoam"), std::string::npos);
+    for (const auto& row : rheogram_in(folder / "out").points)
+        // Creeping flow between eccentric cylinders, an offset of 0.3 of the gap: 1.16589
+        // (laws/gap/eccentric_cylinders, checked against multipole sums).
+        EXPECT_NEAR(row.viscosity / 0.1, 1.16589, row.stress_error / row.shear_stress * 1.16589);
+}
+
 TEST_F(OpenFoamInTime, levels_follow_until_the_torques_balance_too) {
     // After a jump the viscosity takes some corrections: the rows are right long before.
     EXPECT_LT(compare(single_gap, slurry,

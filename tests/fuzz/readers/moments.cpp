@@ -13,7 +13,6 @@ void read_moments(std::string_view bytes) {
         file_of(bytes, file);
     for (const auto component : {LoadComponent::moment_z, LoadComponent::force_x}) {
         static_cast<void>(solvers::openfoam::load_history(folder, component));
-        static_cast<void>(solvers::openfoam::loads_since(folder, "0", component));
     }
 }
 
