@@ -46,7 +46,7 @@ void declare_openfoam(casefile::Keys<SolverSettings>& keys) {
         .example("20 ms")
         .or_absent_as("auto", "a fraction of the time between rows")
         .not_in_new()
-        .says("OpenFOAM's time step on the finest level; for engine = \"openfoam\".");
+        .says("OpenFOAM's longest time step on the finest level; for engine = \"openfoam\".");
     keys.key("viscosity_cap", &SolverSettings::viscosity_cap)
         .measures(casefile::viscosity)
         .above("0 Pa.s")

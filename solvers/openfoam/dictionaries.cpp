@@ -53,6 +53,8 @@ std::vector<std::pair<double, double>> speed_table(const CaseFacts& facts) {
             table.emplace_back(start, piece.start_speed);
         table.emplace_back(hold + piece.end_time, piece.end_speed);
     }
+    if (const double end = end_time(facts); end > table.back().first)
+        table.emplace_back(end, table.back().second);
     return table;
 }
 
@@ -147,8 +149,11 @@ std::vector<std::string> cup_patches(const geometry::Mesh& mesh) {
 }
 
 double end_time(const CaseFacts& facts) {
-    return facts.plan.steady ? end_of_row(facts.plan, facts.plan.speeds.speeds.size() - 1)
-                             : facts.plan.hold + facts.plan.history.duration();
+    if (facts.plan.steady)
+        return end_of_row(facts.plan, facts.plan.speeds.speeds.size() - 1);
+    // OpenFOAM ends up to half a step early: whole steps reach over the last row.
+    const double duration = facts.plan.hold + facts.plan.history.duration();
+    return std::ceil(duration / facts.time_step * (1 - 1e-9)) * facts.time_step;
 }
 
 std::string velocity_text(const CaseFacts& facts) {

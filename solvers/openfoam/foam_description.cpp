@@ -60,6 +60,11 @@ void describe(const Scene& scene, const FoamPlan& foam, Plan& plan) {
         foam.steady ? ""
                     : fmt::format(", time steps of {:.3g} to {:.3g} s", foam.coarsest_step,
                                   std::ldexp(foam.coarsest_step, 1 - foam.levels)));
+    const double finest_step = std::ldexp(foam.coarsest_step, 1 - foam.levels);
+    if (scene.solver.time_step && !foam.steady && finest_step < 0.999 * *scene.solver.time_step)
+        plan.warnings.push_back(fmt::format(
+            "solver.time_step = {:.4g} s is shortened to {:.4g} s, so that every row ends a step.",
+            *scene.solver.time_step, finest_step));
     plan.items.push_back(
         {"grid error", true,
          "Levels of twice the cells and half the time step follow each other until "

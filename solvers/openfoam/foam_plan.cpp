@@ -177,7 +177,9 @@ void choose_time(const Scene& scene, const Plan& plan, FoamPlan& foam) {
     }
     foam.coarsest_step = step / std::ceil(step / wanted * (1 - 1e-12));
     if (scene.solver.time_step) {
-        foam.coarsest_step = std::ldexp(*scene.solver.time_step, foam.levels - 1);
+        // The longest that is no longer, and with which every row ends a step on all levels.
+        const double longest = std::ldexp(*scene.solver.time_step, foam.levels - 1);
+        foam.coarsest_step = step / std::ceil(step / longest * (1 - 1e-9));
     }
     if (foam.hold > 0.0) // whole steps
         foam.hold = std::ceil(foam.hold / foam.coarsest_step) * foam.coarsest_step;

@@ -138,10 +138,12 @@ LevelResult read_results(const LevelTask& task, const LevelCase& level) {
         read_steady(task, level, result);
     else
         read_in_time(task, level, result);
-    const auto not_finite = std::ranges::find_if_not(
-        result.torque, [](double torque) { return std::isfinite(torque); });
+    // Of steady rows each has a speed, so none is without torque: nothing was solved.
+    const auto not_finite = std::ranges::find_if_not(result.torque, [&task](double torque) {
+        return std::isfinite(torque) && (torque != 0.0 || !task.plan.steady);
+    });
     if (not_finite != result.torque.end()) {
-        result.failure = fmt::format("OpenFOAM's torque is not a number from row {} on.",
+        result.failure = fmt::format("OpenFOAM's torque is no number, or 0, from row {} on.",
                                      not_finite - result.torque.begin() + 1);
         result.unsettled.resize(static_cast<std::size_t>(not_finite - result.torque.begin()));
         result.torque.erase(not_finite, result.torque.end());

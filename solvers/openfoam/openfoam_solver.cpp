@@ -22,8 +22,11 @@ std::pair<double, double> moment_of(const Plan& plan, std::size_t row) {
 /// What is left of the error on a level of what the level before had: 1/4 for a scheme of second
 /// order. First order: of laws whose viscosity is capped the stress has a kink; in time PISO alone
 /// lags behind the turn of the velocity across a wedge by a step, and relaxed corrections, those of
-/// a viscosity and those across periodic sides leave a part of each step's change behind.
-double expected_decay(const Scene& scene, const FoamPlan& plan) {
+/// a viscosity and those across periodic sides leave a part of each step's change behind. Where a
+/// plug grows or melts, corrections gain next to nothing there: less than first order (measured).
+double expected_decay(const Scene& scene, const FoamPlan& plan, const RowForecast& row) {
+    if (!plan.steady && row.regime.find("partly-sheared") != std::string::npos)
+        return 0.75;
     const bool second_order =
         plan.steady ? !needs_viscosity_cap(scene.fluid.law)
                     : plan.application == FoamApplication::pimple_foam && plan.relaxation == 0.0 &&
@@ -64,7 +67,6 @@ rheometry::TorqueHistory history_of(const Scene& scene, const Plan& plan, const 
                                     const LastLevels& levels) {
     rheometry::TorqueHistory history;
     const LevelResult& last = levels.finest;
-    const double decay = expected_decay(scene, foam);
     const std::size_t known =
         levels.before == nullptr ? 0 : std::min(last.torque.size(), levels.before->torque.size());
     for (std::size_t row = 0; row < last.torque.size(); ++row) {
@@ -74,6 +76,7 @@ rheometry::TorqueHistory history_of(const Scene& scene, const Plan& plan, const 
         const double torque = last.torque[row];
         double error = std::abs(torque);
         if (row < known) {
+            const double decay = expected_decay(scene, foam, plan.rows[row]);
             error = level_error(levels, decay, row);
             // Two levels may cross in one row of a history: a neighbour's relative error counts
             // too.

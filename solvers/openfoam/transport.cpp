@@ -66,16 +66,31 @@ struct TransportText {
     }
 };
 
+/// The same law without the yield stress where that is 0: OpenFOAM's models with one would be
+/// capped at a viscosity that nothing asks for.
+flow::AnyFlowLaw reduced(const flow::AnyFlowLaw& law) {
+    if (flow::yield_stress(law) > 0.0)
+        return law;
+    if (const auto* bingham = std::get_if<flow::Bingham>(&law))
+        return flow::Newtonian{bingham->plastic_viscosity};
+    if (const auto* casson = std::get_if<flow::Casson>(&law))
+        return flow::Newtonian{casson->plastic_viscosity};
+    if (const auto* general = std::get_if<flow::HerschelBulkley>(&law))
+        return flow::PowerLaw{general->consistency, general->flow_index};
+    return law;
+}
+
 } // namespace
 
 std::string transport_text(const flow::AnyFlowLaw& law, double density, double viscosity_cap) {
-    return std::visit(TransportText{density, viscosity_cap / density}, law);
+    return std::visit(TransportText{density, viscosity_cap / density}, reduced(law));
 }
 
 bool needs_viscosity_cap(const flow::AnyFlowLaw& law) {
-    if (const auto* power_law = std::get_if<flow::PowerLaw>(&law))
+    const flow::AnyFlowLaw simplest = reduced(law);
+    if (const auto* power_law = std::get_if<flow::PowerLaw>(&simplest))
         return power_law->flow_index < 1.0;
-    return flow::yield_stress(law) > 0.0;
+    return flow::yield_stress(simplest) > 0.0;
 }
 
 } // namespace searle::solvers::openfoam

@@ -68,6 +68,17 @@ TEST(Transport, every_law_keeps_its_stress) {
     }
 }
 
+TEST(Transport, laws_with_a_yield_stress_of_zero_are_what_is_left_of_them) {
+    const std::string newtonian = transport_text(flow::Newtonian{2.0}, 1000.0, 0.0);
+    EXPECT_EQ(transport_text(flow::Bingham{0.0, 2.0}, 1000.0, 0.0), newtonian);
+    EXPECT_EQ(transport_text(flow::Casson{0.0, 2.0}, 1000.0, 0.0), newtonian);
+    EXPECT_FALSE(needs_viscosity_cap(flow::Bingham{0.0, 2.0}));
+    const flow::HerschelBulkley thinning{0.0, 3.0, 0.5};
+    EXPECT_TRUE(needs_viscosity_cap(thinning));
+    EXPECT_EQ(transport_text(thinning, 1000.0, 50.0),
+              transport_text(flow::PowerLaw{3.0, 0.5}, 1000.0, 50.0));
+}
+
 TEST(Transport, laws_without_a_bound_at_rest_get_the_cap) {
     EXPECT_TRUE(needs_viscosity_cap(flow::Bingham{5.0, 0.02}));
     EXPECT_TRUE(needs_viscosity_cap(flow::PowerLaw{0.5, 0.4}));
