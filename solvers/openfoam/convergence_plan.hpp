@@ -6,6 +6,9 @@
 
 namespace searle::solvers::openfoam {
 
+/// The law's n: where it has one d ln stress / d ln rate far from its bends, else 1.
+[[nodiscard]] double flow_index_of(const laws::flow::AnyFlowLaw& law);
+
 /// Sets how often the corrections of a time step are repeated, and the relaxation.
 /// @param foam  with steady, swirl_alone and vortices
 void choose_corrections(const Scene& scene, FoamPlan& foam);

@@ -164,7 +164,7 @@ void choose_time(const Scene& scene, const Plan& plan, FoamPlan& foam) {
     foam.history = std::get<rheometry::SpeedHistory>(schedule);
     if (foam.history.initial_speed != 0.0)
         foam.hold = settling_time(scene.instrument, scene.fluid, 0.0, foam.history.initial_speed,
-                                  0.1 * scene.solver.accuracy);
+                                  hold_share * scene.solver.accuracy);
     const double step = common_step(foam.history);
     // A hundred steps at least over the whole; each row ends a step.
     double wanted = std::min(step / 2.0, foam.history.duration() / 100.0);
@@ -221,18 +221,6 @@ void choose_mesh(const Scene& scene, FoamPlan& foam) {
     foam.coarsest_cells = foam.vortices ? 12 : is_slice ? 20 : 10;
     if (eccentric != nullptr)
         foam.coarsest_angular_cells = coarsest_angular_cells(scene, *eccentric, foam.levels);
-}
-
-/// Of laws that have one, else 1.
-double flow_index_of(const laws::flow::AnyFlowLaw& law) {
-    return std::visit(
-        [](const auto& it) {
-            if constexpr (requires { it.flow_index; })
-                return it.flow_index;
-            else
-                return 1.0;
-        },
-        law);
 }
 
 } // namespace

@@ -51,6 +51,9 @@ struct FoamPlan {
     double vortex_height{}; ///< m, one vortex: half of the wavelength
 };
 
+/// What is left, over the asked accuracy, of the start from rest when the first speed was held.
+inline constexpr double hold_share = 1e-3;
+
 /// How often a run that is not row by row writes its fields, for a restart and for a look at the
 /// end.
 inline constexpr double writes_in_a_run = 20.0;

@@ -19,20 +19,32 @@ std::pair<double, double> moment_of(const Plan& plan, std::size_t row) {
     return {plan.rows[row].time, plan.rows[row].speed};
 }
 
+bool is_newtonian(const Scene& scene) {
+    return std::holds_alternative<laws::flow::Newtonian>(scene.fluid.law);
+}
+
+/// Whether a plug grows or melts at a row in time, or the rotor comes to rest: a viscosity changes
+/// by so much in a step there that the error falls by less than first order, and that of the steps
+/// may cancel that of the cells on two levels (measured).
+bool is_delicate(const Scene& scene, const FoamPlan& plan, const RowForecast& row) {
+    return !plan.steady && !is_newtonian(scene) &&
+           (std::abs(row.speed) < 1e-2 * plan.history.fastest_speed() ||
+            row.regime.find("partly-sheared") != std::string::npos);
+}
+
 /// What is left of the error on a level of what the level before had: 1/4 for a scheme of second
 /// order. First order: of laws whose viscosity is capped the stress has a kink; in time PISO alone
 /// lags behind the turn of the velocity across a wedge by a step, and relaxed corrections, those of
-/// a viscosity and those across periodic sides leave a part of each step's change behind. Where a
-/// plug grows or melts, corrections gain next to nothing there: less than first order (measured).
+/// a viscosity and those across periodic sides leave a part of each step's change behind.
 double expected_decay(const Scene& scene, const FoamPlan& plan, const RowForecast& row) {
-    if (!plan.steady && row.regime.find("partly-sheared") != std::string::npos)
-        return 0.75;
+    if (is_delicate(scene, plan, row))
+        return 0.8;
     const bool second_order =
         plan.steady ? !needs_viscosity_cap(scene.fluid.law)
                     : plan.application == FoamApplication::pimple_foam && plan.relaxation == 0.0 &&
-                          (plan.one_cell_along || plan.vortices) &&
-                          std::holds_alternative<laws::flow::Newtonian>(scene.fluid.law);
-    return second_order ? 0.25 : 0.5;
+                          (plan.one_cell_along || plan.vortices) && is_newtonian(scene);
+    const bool has_kink = needs_viscosity_cap(scene.fluid.law);
+    return second_order ? 0.25 : has_kink && !plan.steady ? 0.6 : 0.5;
 }
 
 /// Of chords, whose effect on the flow inside is not counted.
@@ -87,6 +99,8 @@ rheometry::TorqueHistory history_of(const Scene& scene, const Plan& plan, const 
             error += last.unsettled[row] +
                      std::abs(torque) * (chord_margin * last.chord_error + foam.cap_error[row]);
         }
+        if (foam.hold > 0.0)
+            error += hold_share * scene.solver.accuracy * std::abs(torque);
         if (foam.quasi_steady)
             error += left_out_inertia(scene, plan.rows[row]) * std::abs(torque);
         if (!foam.steady && last.imbalance && *last.imbalance > balance_limit)
@@ -135,13 +149,21 @@ public:
         return results_.size() > 1 && report_.worst_relative_error <= scene_.solver.accuracy;
     }
 
+    /// Whether two levels are too few, and there may be more.
+    [[nodiscard]] bool wants_a_third() const {
+        return results_.size() == 2 && foam_.levels > 2 &&
+               std::ranges::any_of(plan_.rows, [this](const RowForecast& row) {
+                   return is_delicate(scene_, foam_, row);
+               });
+    }
+
     /// Whether a further level is of no use: the accuracy is met and the torques balance, or no
     /// level will make them.
     [[nodiscard]] bool is_settled() const {
         const bool may_balance = foam_.application != FoamApplication::non_newtonian_ico_foam;
         const bool may_be_met = error_of_all_levels() <= scene_.solver.accuracy;
         return results_.size() > 1 &&
-               (!may_be_met || (meets_accuracy() &&
+               (!may_be_met || (meets_accuracy() && !wants_a_third() &&
                                 (report_.worst_torque_imbalance <= balance_limit || !may_balance)));
     }
 
