@@ -96,7 +96,9 @@ rheometry::TorqueHistory history_of(const Scene& scene, const Plan& plan, const 
                  !foam.steady && at < std::min(row + 2, known); ++at)
                 error = std::max(error, level_error(levels, decay, at) *
                                             std::min(1.0, std::abs(torque / last.torque[at])));
-            error += last.unsettled[row] +
+            // Of a start at 1e-9 of the rotor's speed, and of iterations that end at 1e-11.
+            constexpr double least = 1e-8;
+            error += last.unsettled[row] + least * std::abs(torque) +
                      std::abs(torque) * (chord_margin * last.chord_error + foam.cap_error[row]);
         }
         if (foam.hold > 0.0)
