@@ -218,7 +218,7 @@ void choose_mesh(const Scene& scene, FoamPlan& foam) {
     // Of a section each level costs four times the one before, in time eight times; of a wedge in
     // time, which few cells cover, twice.
     foam.levels = !is_slice ? (foam.steady ? 3 : 2) : foam.steady || !is_wedge ? 4 : 6;
-    foam.coarsest_cells = foam.vortices ? 12 : is_slice ? 20 : 10;
+    foam.coarsest_cells = foam.vortices ? 14 : is_slice ? 20 : 10;
     if (eccentric != nullptr)
         foam.coarsest_angular_cells = coarsest_angular_cells(scene, *eccentric, foam.levels);
 }
