@@ -3,6 +3,7 @@
 #include "app/engine_folder.hpp"
 #include "app/stress/scene_truth.hpp"
 #include "geometry/mesh_error.hpp"
+#include "solvers/openfoam/openfoam_solver.hpp"
 #include "solvers/suspension/suspension_motion.hpp"
 #include "solvers/unsuitable_scene.hpp"
 
@@ -143,6 +144,8 @@ std::vector<double> told(const RandomCase& scene, double limit) {
     } catch (const geometry::MeshError& error) {
         throw Reason(Verdict::refused, error.what());
     } catch (const solvers::suspension::StepFailure& error) {
+        throw Reason(Verdict::gave_up, error.what());
+    } catch (const solvers::openfoam::OpenFoamBlewUp& error) {
         throw Reason(Verdict::gave_up, error.what());
     } catch (const std::bad_alloc&) {
         throw Reason(Verdict::crashed, "memory ran out");

@@ -163,6 +163,7 @@ private:
         if (code == 0)
             return;
         fail_if_disk_is_full(application());
+        result.blew_up = true;
         const LogTail tail = log_tail(log());
         std::string why = code == 136 || code == 8
                               ? "a number grew beyond all bounds (floating-point exception)"
@@ -278,6 +279,7 @@ LevelResult run_level(const LevelTask& task, const ProgressSink& progress) {
     programs.run(ran);
     LevelResult result = read_results(task, level);
     result.interrupted = ran.interrupted;
+    result.blew_up = ran.blew_up;
     if (!ran.failure.empty())
         result.failure = ran.failure;
     if (const std::size_t rows = rows_of(task.plan);

@@ -27,6 +27,7 @@ struct LevelResult {
     long steps{};        ///< time steps, or iterations
     bool interrupted{};  ///< the rows finished are there; a later run goes on
     std::string failure; ///< why it ended early, a sentence; empty: it did not
+    bool blew_up{};      ///< the program itself ended with a fault
     std::vector<std::string> notes;
 };
 

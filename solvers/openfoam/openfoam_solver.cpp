@@ -296,10 +296,15 @@ radial::RadialReport solve_with_openfoam(const Scene& scene, const Plan& plan,
             run_level({scene, foam, level, level_folder(engine_folder, level), installation}, sink);
         const bool interrupted = result.interrupted;
         const std::string failure = result.failure;
+        const bool blew_up = result.blew_up;
         if (!result.torque.empty() || levels.is_empty())
             levels.add(std::move(result));
-        if (!failure.empty() && levels.is_empty())
-            throw OpenFoamFailed(failure + "; no row is kept, for nothing bounds their errors");
+        if (!failure.empty() && levels.is_empty()) {
+            const std::string why = failure + "; no row is kept, for nothing bounds their errors";
+            if (blew_up)
+                throw OpenFoamBlewUp(why);
+            throw OpenFoamFailed(why);
+        }
         if (interrupted || !failure.empty())
             return levels.report(interrupted, failure);
         if (levels.is_settled())

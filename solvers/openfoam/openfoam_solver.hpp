@@ -13,6 +13,11 @@ struct OpenFoamFailed : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// It ended by itself, with a fault that its log tells: a number beyond all bounds, for instance.
+struct OpenFoamBlewUp : OpenFoamFailed {
+    using OpenFoamFailed::OpenFoamFailed;
+};
+
 /// Largest relative imbalance of torques (LevelResult::imbalance) that passes for round-off and
 /// discretisation; above it the result is reported as not reached.
 inline constexpr double balance_limit = 2e-3;
