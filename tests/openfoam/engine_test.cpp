@@ -169,7 +169,7 @@ TEST_F(OpenFoamEngine, steady_rows_of_a_slice_go_on_in_the_middle_of_one) {
     EXPECT_LT(whole[2].torque, 0.0);
 }
 
-// Killed before anything was written, within a row that is a run of its own.
+// Killed within a row that is a run of its own, before that row wrote anything.
 TEST_F(OpenFoamEngine, a_row_that_was_killed_is_run_again) {
     const std::vector<std::string> settings{
         "solver.engine=openfoam", "solver.application=simpleFoam", "solver.accuracy=0.01",
@@ -181,7 +181,7 @@ TEST_F(OpenFoamEngine, a_row_that_was_killed_is_run_again) {
     const Outcome killed = run({.arguments = words,
                                 .directory = folder.path(),
                                 .signal = SIGKILL,
-                                .signal_when = "row 1"});
+                                .signal_when = "iteration"});
     EXPECT_NE(killed.exit_code, 0);
     ASSERT_EQ(run_case("single-gap-water.toml", "parts", settings).exit_code, 0);
     const auto whole = rheogram_in(folder / "whole").points;
