@@ -96,8 +96,7 @@ std::vector<std::string> agreement_remarks(const ComparedCase& compared) {
         const EngineAgreement& one = all[at];
         remarks.push_back(fmt::format(
             "{}{} of {} rows of {} lie within both engines' errors of {}; the largest difference "
-            "is "
-            "{:.2g} % ({:.2g} of both errors). CPU: {:.3g} s against {:.3g} s, {:.3g} times.",
+            "is {:.2g} % ({:.2g} of both errors). CPU: {:.3g} s against {:.3g} s, {:.3g} times.",
             compared.name.empty() ? "" : compared.name + ": ", one.within, one.rows, one.engine,
             first.engine, 100.0 * one.worst_difference, one.worst_joint, one.cpu_seconds,
             first.cpu_seconds, one.cpu_seconds / first.cpu_seconds));

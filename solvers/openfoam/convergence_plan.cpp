@@ -1,6 +1,7 @@
 #include "solvers/openfoam/convergence_plan.hpp"
 
 #include "laws/flow/flow_law.hpp"
+#include "solvers/plan_rows.hpp"
 #include "solvers/radial/radial_solver.hpp"
 
 #include <algorithm>
@@ -9,10 +10,6 @@
 
 namespace searle::solvers::openfoam {
 namespace {
-
-bool is_newtonian(const Scene& scene) {
-    return std::holds_alternative<laws::flow::Newtonian>(scene.fluid.law);
-}
 
 struct RateSpan {
     double least, largest; ///< in all gaps, over the rate at the rotor's (outer) wall
@@ -113,9 +110,8 @@ void choose_corrections(const Scene& scene, FoamPlan& foam) {
     if (foam.swirl_alone) {
         // A wedge takes the turn of the velocity from side to side from the correction before, and
         // the second has it to 1e-5 (measured).
-        const bool is_box = std::holds_alternative<geometry::Box>(scene.instrument);
         foam.outer_corrections = is_rate_dependent ? viscosity_corrections(scene.fluid.law)
-                                 : is_box          ? 1
+                                 : is_box(scene)   ? 1
                                                    : 2;
         return;
     }

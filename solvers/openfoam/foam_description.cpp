@@ -1,5 +1,6 @@
 #include "laws/gap/eccentric_cylinders.hpp"
 #include "solvers/openfoam/foam_plan.hpp"
+#include "solvers/plan_rows.hpp"
 
 #include <fmt/format.h>
 
@@ -49,8 +50,7 @@ void describe(const Scene& scene, const FoamPlan& foam, Plan& plan) {
     plan.model_reason = fmt::format(
         "OpenFOAM's {}: {}; {}; {} to {} cells across the gap{}.", name_of(foam.application),
         foam.application_reason,
-        std::holds_alternative<geometry::Box>(scene.instrument)
-            ? "one cell along the flow and the width"
+        is_box(scene)                             ? "one cell along the flow and the width"
         : foam.coarsest_angular_cells > 0         ? "the whole turn, one cell high"
         : foam.swirl_alone && foam.one_cell_along ? "a wedge one cell thick and one cell high"
         : foam.swirl_alone                        ? "a sector or the whole turn, one cell high"

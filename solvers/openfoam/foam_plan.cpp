@@ -7,25 +7,19 @@
 #include "solvers/openfoam/convergence_plan.hpp"
 #include "solvers/openfoam/installation.hpp"
 #include "solvers/openfoam/viscosity_cap.hpp"
+#include "solvers/plan_rows.hpp"
 #include "solvers/unsuitable_scene.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace searle::solvers::openfoam {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-
-bool is_newtonian(const Scene& scene) {
-    return std::holds_alternative<laws::flow::Newtonian>(scene.fluid.law);
-}
-
-bool is_box(const Scene& scene) { return std::holds_alternative<geometry::Box>(scene.instrument); }
 
 /// Of a profile the instrument is but what its torques are converted with.
 bool is_endless(const Scene& scene) {
@@ -166,21 +160,21 @@ void choose_time(const Scene& scene, const Plan& plan, FoamPlan& foam) {
         foam.hold = settling_time(scene.instrument, scene.fluid, 0.0, foam.history.initial_speed,
                                   hold_share * scene.solver.accuracy);
     const double step = common_step(foam.history);
-    // A hundred steps at least over the whole; each row ends a step.
-    double wanted = std::min(step / 2.0, foam.history.duration() / 100.0);
-    if (foam.swirl_alone && foam.application == FoamApplication::pimple_foam) {
-        constexpr double steps_to_row = 6.0; // or the first row after a start converges late
-        wanted = std::min(step / steps_to_row, foam.history.duration() / 100.0);
-    } else if (!is_box(scene)) {
-        constexpr double largest_angle = 0.4; // that the rotor turns by in a step
-        wanted = std::min(wanted, largest_angle / foam.history.fastest_speed());
-    }
-    foam.coarsest_step = step / std::ceil(step / wanted * (1 - 1e-12));
+    // A hundred steps at least over the whole.
+    double longest = foam.history.duration() / 100.0;
     if (scene.solver.time_step) {
-        // The longest that is no longer, and with which every row ends a step on all levels.
-        const double longest = std::ldexp(*scene.solver.time_step, foam.levels - 1);
-        foam.coarsest_step = step / std::ceil(step / longest * (1 - 1e-9));
+        longest = std::ldexp(*scene.solver.time_step, foam.levels - 1);
+    } else if (foam.swirl_alone && foam.application == FoamApplication::pimple_foam) {
+        constexpr double steps_to_row = 6.0; // or the first row after a start converges late
+        longest = std::min(longest, step / steps_to_row);
+    } else {
+        longest = std::min(longest, step / 2.0);
+        constexpr double largest_angle = 0.4; // that the rotor turns by in a step
+        if (!is_box(scene))
+            longest = std::min(longest, largest_angle / foam.history.fastest_speed());
     }
+    // With which every row ends a step on all levels.
+    foam.coarsest_step = step / std::ceil(step / longest * (1 - 1e-9));
     if (foam.hold > 0.0) // whole steps
         foam.hold = std::ceil(foam.hold / foam.coarsest_step) * foam.coarsest_step;
     if (foam.history.duration() / foam.coarsest_step > 1e7)
@@ -253,9 +247,8 @@ FoamPlan plan_foam(const Scene& scene, const Plan& plan) {
                               "(geometry.offset) is not; model = \"auto\" or \"3d\"");
     if (flow_index_of(scene.fluid.law) >= 2.0)
         throw UnsuitableScene(
-            "fluid.flow_index of 2 or more: OpenFOAM puts in the viscosity of the "
-            "iteration before, which does not converge then; engine = \"native\" "
-            "solves it");
+            "fluid.flow_index of 2 or more: OpenFOAM puts in the viscosity of the iteration "
+            "before, which does not converge then; engine = \"native\" solves it");
     FoamPlan foam;
     choose_application(scene, plan, foam);
     foam.vortices = plan.vortices && plan.taylor.has_value();

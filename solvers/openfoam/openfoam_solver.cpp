@@ -2,6 +2,7 @@
 
 #include "solvers/openfoam/level_run.hpp"
 #include "solvers/openfoam/transport.hpp"
+#include "solvers/plan_rows.hpp"
 #include "solvers/row_errors.hpp"
 
 #include <fmt/format.h>
@@ -17,10 +18,6 @@ namespace fs = std::filesystem;
 /// Time of a row, s, and the drive's speed there.
 std::pair<double, double> moment_of(const Plan& plan, std::size_t row) {
     return {plan.rows[row].time, plan.rows[row].speed};
-}
-
-bool is_newtonian(const Scene& scene) {
-    return std::holds_alternative<laws::flow::Newtonian>(scene.fluid.law);
 }
 
 /// Whether a plug grows or melts at a row in time, or the rotor comes to rest: a viscosity changes

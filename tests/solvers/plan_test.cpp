@@ -1,3 +1,4 @@
+#include "plan_scenes.hpp"
 #include "solvers/plan.hpp"
 #include "solvers/radial/radial_solver.hpp"
 #include "solvers/stability/taylor_threshold.hpp"
@@ -11,37 +12,13 @@
 namespace searle::solvers {
 namespace {
 
-using rheometry::ProtocolSpeed;
 using rheometry::Ramp;
-using rheometry::SpeedKind;
 using rheometry::Steps;
-
-ProtocolSpeed rate(double value) { return {value, SpeedKind::shear_rate}; }
-ProtocolSpeed drive(double value) { return {value, SpeedKind::drive}; }
-
-Scene water_ramp() {
-    Scene scene;
-    scene.instrument = geometry::ConcentricCylinders{0.014, 0.015, 0.042};
-    scene.fluid = {laws::flow::Newtonian{1.0016e-3}, 998.2};
-    scene.protocol.program = Ramp{rate(0.0), rate(100.0), 35.0, 100};
-    return scene;
-}
-
-const PlanItem& item(const Plan& plan, const std::string& what) {
-    const auto found =
-        std::find_if(plan.items.begin(), plan.items.end(),
-                     [&](const PlanItem& candidate) { return candidate.what == what; });
-    if (found == plan.items.end()) {
-        throw std::out_of_range("no item " + what);
-    }
-    return *found;
-}
-
-bool warns_of(const Plan& plan, const std::string& word) {
-    return std::any_of(plan.warnings.begin(), plan.warnings.end(), [&](const std::string& warning) {
-        return warning.find(word) != std::string::npos;
-    });
-}
+using testing::drive;
+using testing::item;
+using testing::rate;
+using testing::warns_of;
+using testing::water_ramp;
 
 TEST(Plan, water_ramp_is_transient_and_says_why) {
     const Plan plan = make_plan(water_ramp());
@@ -239,51 +216,6 @@ TEST(Plan, explicit_radial_model_of_a_din_bob_is_obeyed_with_a_warning) {
         // Endless bob, ends as a factor that the conversion takes out again: the true viscosity.
         EXPECT_NEAR(plan.rows.back().steady_stress / (1.0016e-3 * fastest), 1.0, 1e-9);
     }
-}
-
-TEST(Plan, openfoam_says_which_program_mesh_and_step) {
-    Scene scene = water_ramp();
-    scene.solver.engine = Engine::openfoam;
-    const Plan plan = make_plan(scene);
-    EXPECT_TRUE(plan.can_be_solved);
-    EXPECT_EQ(plan.model, "openfoam pimpleFoam");
-    for (const char* part : {"outer corrections", "20 to 640 cells", "time steps"})
-        EXPECT_NE(plan.model_reason.find(part), std::string::npos) << plan.model_reason;
-    EXPECT_GT(plan.expected_seconds, 0.0);
-}
-
-TEST(Plan, openfoam_leaves_inertia_out_only_where_the_slowest_fluid_lets_it) {
-    // Oil around a bob off its axis: h^2 / nu is 9 ms.
-    Scene scene = water_ramp();
-    scene.solver.engine = Engine::openfoam;
-    scene.solver.accuracy = 0.01;
-    scene.instrument = geometry::ConcentricCylinders{
-        .bob_radius = 0.014, .cup_radius = 0.015, .height = 0.042, .offset = 0.0003};
-    scene.fluid = {laws::flow::Newtonian{0.1}, 900.0};
-    scene.protocol.program = Ramp{rate(0.0), rate(100.0), 35.0, 5};
-    const Plan oil = make_plan(scene);
-    EXPECT_EQ(oil.model, "openfoam simpleFoam");
-    EXPECT_FALSE(oil.transient);
-    EXPECT_FALSE(item(oil, "inertia").solved);
-    // A water's gap has settled a thousandfold after 3 s, what stands below the bob has not: 1 % of
-    // the torque (modal sum over the chamber below a flat bottom).
-    scene.instrument = geometry::DinBob{0.014, 0.0152};
-    scene.fluid = {laws::flow::Newtonian{1.0016e-3}, 998.2};
-    scene.solver.accuracy = 0.005;
-    scene.protocol.program = Steps{{rate(1.0), rate(10.0)}, 3.0};
-    const Plan water = make_plan(scene);
-    EXPECT_LT(water.rows.back().lag_share, 1e-3);
-    EXPECT_EQ(water.model, "openfoam pimpleFoam");
-}
-
-TEST(Plan, openfoam_solves_a_profile_with_its_pressure) {
-    Scene scene = water_ramp();
-    scene.solver.engine = Engine::openfoam;
-    scene.profile.emplace();
-    scene.protocol.program = Steps{{rate(10.0)}, {}};
-    const Plan plan = make_plan(scene);
-    EXPECT_EQ(plan.model, "openfoam simpleFoam");
-    EXPECT_NE(plan.model_reason.find("10 to 40 cells"), std::string::npos) << plan.model_reason;
 }
 
 TEST(Plan, models_that_are_not_here_are_refused_with_a_way_out) {

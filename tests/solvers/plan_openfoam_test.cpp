@@ -1,0 +1,60 @@
+#include "plan_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace searle::solvers {
+namespace {
+
+using rheometry::Ramp;
+using rheometry::Steps;
+using testing::item;
+using testing::rate;
+using testing::water_ramp;
+
+TEST(Plan, openfoam_says_which_program_mesh_and_step) {
+    Scene scene = water_ramp();
+    scene.solver.engine = Engine::openfoam;
+    const Plan plan = make_plan(scene);
+    EXPECT_TRUE(plan.can_be_solved);
+    EXPECT_EQ(plan.model, "openfoam pimpleFoam");
+    for (const char* part : {"outer corrections", "20 to 640 cells", "time steps"})
+        EXPECT_NE(plan.model_reason.find(part), std::string::npos) << plan.model_reason;
+    EXPECT_GT(plan.expected_seconds, 0.0);
+}
+
+TEST(Plan, openfoam_leaves_inertia_out_only_where_the_slowest_fluid_lets_it) {
+    // Oil around a bob off its axis: h^2 / nu is 9 ms.
+    Scene scene = water_ramp();
+    scene.solver.engine = Engine::openfoam;
+    scene.solver.accuracy = 0.01;
+    scene.instrument = geometry::ConcentricCylinders{
+        .bob_radius = 0.014, .cup_radius = 0.015, .height = 0.042, .offset = 0.0003};
+    scene.fluid = {laws::flow::Newtonian{0.1}, 900.0};
+    scene.protocol.program = Ramp{rate(0.0), rate(100.0), 35.0, 5};
+    const Plan oil = make_plan(scene);
+    EXPECT_EQ(oil.model, "openfoam simpleFoam");
+    EXPECT_FALSE(oil.transient);
+    EXPECT_FALSE(item(oil, "inertia").solved);
+    // A water's gap has settled a thousandfold after 3 s, what stands below the bob has not: 1 % of
+    // the torque (modal sum over the chamber below a flat bottom).
+    scene.instrument = geometry::DinBob{0.014, 0.0152};
+    scene.fluid = {laws::flow::Newtonian{1.0016e-3}, 998.2};
+    scene.solver.accuracy = 0.005;
+    scene.protocol.program = Steps{{rate(1.0), rate(10.0)}, 3.0};
+    const Plan water = make_plan(scene);
+    EXPECT_LT(water.rows.back().lag_share, 1e-3);
+    EXPECT_EQ(water.model, "openfoam pimpleFoam");
+}
+
+TEST(Plan, openfoam_solves_a_profile_with_its_pressure) {
+    Scene scene = water_ramp();
+    scene.solver.engine = Engine::openfoam;
+    scene.profile.emplace();
+    scene.protocol.program = Steps{{rate(10.0)}, {}};
+    const Plan plan = make_plan(scene);
+    EXPECT_EQ(plan.model, "openfoam simpleFoam");
+    EXPECT_NE(plan.model_reason.find("10 to 40 cells"), std::string::npos) << plan.model_reason;
+}
+
+} // namespace
+} // namespace searle::solvers
