@@ -42,11 +42,8 @@ bool needs_secondary_flow(const Scene& scene, const Forecast& forecast) {
         scene.solver.secondary_flow == Switch::off) {
         return false;
     }
-    constexpr double margin = 12.0;
     return scene.solver.secondary_flow == Switch::on ||
-           std::any_of(forecast.facts.begin(), forecast.facts.end(), [&](const RowFacts& facts) {
-               return margin * facts.end_flow_share > scene.solver.accuracy;
-           });
+           end_flow_matters(forecast.rows, scene.solver.accuracy);
 }
 
 /// Vortices past the onset are solved in gaps whose ends are left out; with a yield stress nothing

@@ -53,11 +53,12 @@ struct RowForecast {
     double taylor_ratio{};  ///< Re / Re_critical; 0 for the box
     /// Estimated part of the stress that is inertia: |inertial| / (|steady| + |inertial|), 0 ... 1.
     double lag_share{};
-    /// The same, no less than that of the slowest part of the fluid: of a bob, what stands above and
-    /// below it.
+    /// The same, no less than that of the slowest part of the fluid: of a bob, what stands above
+    /// and below it.
     double largest_lag_share{};
     /// Estimated part of the torque that is secondary flow at a bob's ends, 0 ... 1.
     double end_flow_share{};
+    double end_reynolds{}; ///< omega R^2 / nu at a bob with ends, nu at its wall; 0 without ends
 };
 
 struct Plan {

@@ -123,6 +123,7 @@ Forecast forecast(const Scene& scene) {
                 facts.end_flow_share = end_flow_share(decisive.annulus.outer_radius / radius,
                                                       height / radius, facts.end_reynolds);
                 row.end_flow_share = facts.end_flow_share;
+                row.end_reynolds = facts.end_reynolds;
             }
             facts.definition_error =
                 std::abs(row.steady_stress) /

@@ -2,8 +2,10 @@
 
 #include "solvers/plan_forecast.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 namespace searle::solvers {
 
@@ -24,6 +26,13 @@ namespace searle::solvers {
 }
 [[nodiscard]] inline bool is_newtonian(const Scene& scene) {
     return std::holds_alternative<laws::flow::Newtonian>(scene.fluid.law);
+}
+
+/// Secondary flow may be left out only when a few times its estimate is far below what was asked.
+[[nodiscard]] inline bool end_flow_matters(std::span<const RowForecast> rows, double accuracy) {
+    constexpr double margin = 12.0;
+    return std::ranges::any_of(
+        rows, [&](const RowForecast& row) { return margin * row.end_flow_share > accuracy; });
 }
 
 /// The row where a quantity, given as a function of the row, is largest in magnitude; the forecast

@@ -9,9 +9,10 @@ namespace searle::solvers::openfoam {
 /// The law's n: where it has one d ln stress / d ln rate far from its bends, else 1.
 [[nodiscard]] double flow_index_of(const laws::flow::AnyFlowLaw& law);
 
-/// Sets how often the corrections of a time step are repeated, and the relaxation.
+/// Sets how often the corrections of a time step are repeated, the relaxation, and the residual
+/// with which a steady row ends.
 /// @param foam  with steady, swirl_alone and vortices
-void choose_corrections(const Scene& scene, FoamPlan& foam);
+void choose_corrections(const Scene& scene, const Plan& plan, FoamPlan& foam);
 
 /// Steady rows of a slice, where each iteration puts in the viscosity of the one before and solves
 /// for the swirl: where the stress goes as the s-th power of the rate an error shrinks to |1 - s|

@@ -229,53 +229,70 @@ std::string algorithms_text(const CaseFacts& facts, const std::string& common) {
     // velocity does not hold and SIMPLEC's does. Where the swirl alone is to be found, no pressure
     // acts on it: none is corrected, the flux stays that of the start, next to nothing, and what is
     // left of the momentum equation is exact.
-    const int corrections = has_section ? 2 : 0;
+    const int corrections = has_section ? facts.plan.pressure_corrections : 0;
     // In time even a factor of 1 makes OpenFOAM add to the diagonal what keeps it dominant, which
     // in a step's last correction is an error (9 % of the torque of a water ramp): none for UFinal,
     // and none at all for the programs without outer corrections.
     const bool relaxes = facts.plan.application == FoamApplication::simple_foam ||
                          facts.plan.application == FoamApplication::pimple_foam;
     const double factor = relaxes ? facts.plan.relaxation : 0.0;
+    const std::string of_pressure =
+        facts.plan.pressure_relaxation < 1.0
+            ? fmt::format("    fields\n    {{\n        p               {};\n    }}\n",
+                          facts.plan.pressure_relaxation)
+            : "";
     const std::string relaxation =
-        factor > 0.0 ? fmt::format("relaxationFactors\n{{\n    equations\n    {{\n"
+        factor > 0.0 ? fmt::format("relaxationFactors\n{{\n{}    equations\n    {{\n"
                                    "        U               {};\n    }}\n}}\n",
-                                   factor)
+                                   of_pressure, factor)
                      : "";
     return fmt::format(
         "PISO\n{{\n    nCorrectors     3;\n{0}}}\n\n"
         "PIMPLE\n{{\n    consistent      {1};\n    nOuterCorrectors {2};\n"
         "    nCorrectors     {3};\n    turbOnFinalIterOnly no;\n{0}}}\n\n"
         "SIMPLE\n{{\n    consistent      yes;\n{0}"
-        "    residualControl\n    {{\n        U               1e-7;\n    }}\n}}\n\n{4}",
-        common, has_section ? "yes" : "no", facts.plan.outer_corrections, corrections, relaxation);
+        "    residualControl\n    {{\n        U               {5:.3g};\n    }}\n}}\n\n{4}",
+        common, has_section ? "yes" : "no", facts.plan.outer_corrections, corrections, relaxation,
+        facts.plan.residual);
 }
 
 } // namespace
 
 std::string solution_text(const CaseFacts& facts) {
     const bool has_section = !facts.plan.swirl_alone;
+    const bool steady = facts.plan.steady;
+    // Conjugate gradients are quicker than several grids up to about this many cells, where the
+    // pressure is only to be brought a part of the way.
+    constexpr std::size_t many_cells = 20'000;
     // The two gaps of a double gap are two systems, of which one has no reference pressure:
     // singular yet consistent, which conjugate gradients can take and an incomplete factorisation
     // cannot.
     const bool is_double_gap =
         std::holds_alternative<geometry::DoubleGap>(facts.scene.instrument) && !has_section;
-    const std::string algorithm = "    nNonOrthogonalCorrectors " +
-                                  std::string(has_section ? "1" : "0") +
-                                  ";\n    pRefCell        0;\n    pRefValue       0;\n";
+    const bool has_many = has_section && (!steady || facts.mesh.cells.size() > many_cells);
+    const std::string_view pressure =
+        is_double_gap ? "solver          PCG;\n        preconditioner  diagonal;"
+        : has_many    ? "solver          GAMG;\n        smoother        DIC;"
+                      : "solver          PCG;\n        preconditioner  DIC;";
+    // A steady row takes the rest of each system, and what cells that are not orthogonal add, in
+    // its next iteration.
+    const std::string algorithm = fmt::format("    nNonOrthogonalCorrectors {};\n"
+                                              "    pRefCell        0;\n    pRefValue       0;\n",
+                                              has_section && !steady ? 1 : 0);
     return header("dictionary", "system", "fvSolution") +
            fmt::format(
-               "solvers\n{{\n    p\n    {{\n        solver          {};\n        {};\n"
-               "        tolerance       1e-10;\n        relTol          {};\n    }}\n"
+               "solvers\n{{\n    p\n    {{\n        {0}\n"
+               "        tolerance       1e-10;\n        relTol          {1};\n    }}\n"
                "    pFinal\n    {{\n        $p;\n        relTol          0;\n    }}\n"
                "    U\n    {{\n        solver          PBiCGStab;\n"
                "        preconditioner  DILU;\n        tolerance       1e-11;\n"
-               "        relTol          {};\n    }}\n"
-               "    UFinal\n    {{\n        $U;\n        relTol          0;\n    }}\n}}\n\n",
-               has_section ? "GAMG" : "PCG",
-               has_section     ? "smoother        DIC"
-               : is_double_gap ? "preconditioner  diagonal"
-                               : "preconditioner  DIC",
-               facts.plan.steady ? "0.01" : "0", facts.plan.steady ? "0.01" : "0") +
+               "        relTol          {2};\n    }}\n"
+               "    UFinal\n    {{\n        $U;\n        relTol          {3};\n    }}\n}}\n\n",
+               pressure, steady ? "0.1" : "0",
+               !steady       ? "0"
+               : has_section ? "0.1"
+                             : "0.01",
+               steady ? "0.01" : "0") +
            algorithms_text(facts, algorithm);
 }
 

@@ -13,7 +13,8 @@ struct CaseFacts {
     const Scene& scene;
     const FoamPlan& plan;
     const geometry::Mesh& mesh;
-    double time_step{}; ///< s; of simpleFoam: 1, an iteration
+    double time_step{};    ///< s; of simpleFoam: 1, an iteration
+    std::string coarser{}; ///< folder name of the level before, beside this one; empty: none
 };
 
 /// Time of OpenFOAM at which the case ends: s, or iterations over all rows.

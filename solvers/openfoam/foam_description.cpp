@@ -50,11 +50,12 @@ void describe(const Scene& scene, const FoamPlan& foam, Plan& plan) {
     plan.model_reason = fmt::format(
         "OpenFOAM's {}: {}; {}; {} to {} cells across the gap{}.", name_of(foam.application),
         foam.application_reason,
-        is_box(scene)                             ? "one cell along the flow and the width"
-        : foam.coarsest_angular_cells > 0         ? "the whole turn, one cell high"
-        : foam.swirl_alone && foam.one_cell_along ? "a wedge one cell thick and one cell high"
-        : foam.swirl_alone                        ? "a sector or the whole turn, one cell high"
-                                                  : "the mesh of searle mesh",
+        is_box(scene)                                ? "one cell along the flow and the width"
+        : foam.coarsest_angular_cells > 0            ? "the whole turn, one cell high"
+        : foam.swirl_alone && foam.end_flow_left_out ? "the mesh of searle mesh, the swirl alone"
+        : foam.swirl_alone && foam.one_cell_along    ? "a wedge one cell thick and one cell high"
+        : foam.swirl_alone                           ? "a sector or the whole turn, one cell high"
+                                                     : "the mesh of searle mesh",
         mesh_settings(scene, foam, 0).cells_across_gap.value_or(0),
         mesh_settings(scene, foam, foam.levels - 1).cells_across_gap.value_or(0),
         foam.steady ? ""

@@ -101,12 +101,23 @@ double common_step(const rheometry::SpeedHistory& history) {
     return shortest / 8.0;
 }
 
-/// Whether the mesh will be one cell high around a centred rotor, and how long that cell is. In
-/// time the flow is the swirl alone then, in a wedge as in the whole turn; steady rows, and
-/// programs that always correct the pressure, are iterated as a flow in two directions where there
-/// are cells in two.
-void find_swirl(const Scene& scene, FoamPlan& foam) {
+/// Whether the secondary flow at a rotor's ends is too weak to be solved for, or the case leaves it
+/// out.
+bool leaves_out_end_flow(const Scene& scene, const Plan& plan) {
+    if (scene.profile || !geometry::has_ends(scene.instrument))
+        return false;
+    return scene.solver.secondary_flow == Switch::automatic
+               ? !end_flow_matters(plan.rows, scene.solver.accuracy)
+               : scene.solver.secondary_flow == Switch::off;
+}
+
+/// Whether the swirl alone is to be found: the mesh will be one cell high around a centred rotor,
+/// or the secondary flow at its ends is left out; and how long a cell is. In time that holds in a
+/// wedge as in the whole turn; steady rows, and programs that always correct the pressure, are
+/// iterated as a flow in two directions where there are cells in two.
+void find_swirl(const Scene& scene, const Plan& plan, FoamPlan& foam) {
     const geometry::MeshSettings mesh = mesh_settings(scene, foam, 0);
+    foam.end_flow_left_out = leaves_out_end_flow(scene, plan);
     const bool one_cell_high =
         is_endless(scene) && !foam.vortices && eccentric_gap(scene) == nullptr &&
         !mesh.floor_clearance && mesh.axial_cells.value_or(mesh.slice_height ? 1 : 0) == 1 &&
@@ -114,7 +125,7 @@ void find_swirl(const Scene& scene, FoamPlan& foam) {
     foam.one_cell_along = mesh.angular_cells.value_or(1) == 1 &&
                           (is_box(scene) || extent_of(mesh) == geometry::MeshExtent::wedge);
     foam.swirl_alone =
-        one_cell_high &&
+        (one_cell_high || foam.end_flow_left_out) &&
         (foam.one_cell_along || (!foam.steady && foam.application == FoamApplication::pimple_foam));
 }
 
@@ -207,12 +218,16 @@ void choose_mesh(const Scene& scene, FoamPlan& foam) {
     }
     const auto* eccentric = eccentric_gap(scene);
     const bool is_slice = is_endless(scene) && !foam.vortices && eccentric == nullptr;
+    const bool is_section = !is_slice && !foam.vortices && eccentric == nullptr;
     const bool is_wedge =
         is_box(scene) || geometry::extent_of(scene.mesh) == geometry::MeshExtent::wedge;
     // Of a section each level costs four times the one before, in time eight times; of a wedge in
     // time, which few cells cover, twice.
-    foam.levels = !is_slice ? (foam.steady ? 3 : 2) : foam.steady || !is_wedge ? 4 : 6;
-    foam.coarsest_cells = foam.vortices ? 14 : is_slice ? 20 : 10;
+    foam.levels = is_section                 ? (foam.steady ? 4 : 3)
+                  : !is_slice                ? (foam.steady ? 3 : 2)
+                  : foam.steady || !is_wedge ? 4
+                                             : 6;
+    foam.coarsest_cells = foam.vortices ? 14 : is_section ? 5 : is_slice ? 20 : 10;
     if (eccentric != nullptr)
         foam.coarsest_angular_cells = coarsest_angular_cells(scene, *eccentric, foam.levels);
 }
@@ -263,8 +278,8 @@ FoamPlan plan_foam(const Scene& scene, const Plan& plan) {
         foam.vortex_height = 0.5 * wavelength;
     }
     choose_mesh(scene, foam);
-    find_swirl(scene, foam);
-    choose_corrections(scene, foam);
+    find_swirl(scene, plan, foam);
+    choose_corrections(scene, plan, foam);
     choose_time(scene, plan, foam);
     choose_cap(scene, plan, foam);
     return foam;

@@ -31,13 +31,19 @@ struct FoamPlan {
     /// Nothing but the swirl (a box: the velocity along the flow) is to be found: no pressure acts
     /// on it, and pimpleFoam corrects none.
     bool swirl_alone{};
+    /// The secondary flow at a rotor's ends matters too little to be solved for; where it is not,
+    /// its estimate is in the error bars.
+    bool end_flow_left_out{};
     /// The mesh is a wedge, or a box one cell long: no periodic sides that a correction late sees.
     bool one_cell_along{};
-    int outer_corrections = 3; ///< of pimpleFoam in a time step
+    int outer_corrections = 3;    ///< of pimpleFoam in a time step
+    int pressure_corrections = 2; ///< of pimpleFoam in each of them, where there is a pressure
     /// Relaxation factor of the velocity: of simpleFoam, and of pimpleFoam before a time step's
     /// last correction; 0: none.
     double relaxation{};
-    int iterations{}; ///< most of simpleFoam for a row
+    double pressure_relaxation = 1.0; ///< the same of the pressure; 1: none
+    int iterations{};                 ///< most of simpleFoam for a row
+    double residual = 1e-7;           ///< of the velocity with which a row of simpleFoam ends
     /// Steady rows in one run: the iteration with which each ends. Empty: a run for each row.
     std::vector<long> row_ends;
     int levels{};         ///< most levels of refinement, >= 2

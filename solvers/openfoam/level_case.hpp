@@ -13,7 +13,9 @@ public:
     explicit LevelCase(const LevelTask& task);
 
     [[nodiscard]] const geometry::BuiltMesh& mesh() const { return mesh_; }
-    [[nodiscard]] CaseFacts facts() const { return {task_.scene, task_.plan, mesh_.mesh, step_}; }
+    [[nodiscard]] CaseFacts facts() const {
+        return {task_.scene, task_.plan, mesh_.mesh, step_, task_.coarser.filename().string()};
+    }
     [[nodiscard]] LoadComponent component() const;
     /// Torque of the instrument over torque of the mesh: the one place where a slice is lifted.
     [[nodiscard]] double slice_factor() const { return mesh_.domain.slice.factor(); }

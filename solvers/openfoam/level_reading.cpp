@@ -96,6 +96,19 @@ private:
     std::vector<LoadSample> all_;
 };
 
+/// How much the last of a steady row's samples would still change, >= 0: the rest of a geometric
+/// series of the changes over its last two fifths, and no less than the last of these.
+double remaining_change(const std::vector<LoadSample>& samples) {
+    const auto at = [&](std::size_t fifth) {
+        return samples[(samples.size() - 1) * fifth / 5].value;
+    };
+    const double last = std::abs(at(5) - at(4));
+    const double before = std::abs(at(4) - at(3));
+    constexpr double slowest = 0.95; // beyond, nothing tells where it ends
+    const double ratio = before > 0.0 ? std::min(slowest, last / before) : 0.0;
+    return last * std::max(1.0, ratio / (1.0 - ratio));
+}
+
 void read_steady(const LevelTask& task, const LevelCase& level, LevelResult& result) {
     const double factor = level.slice_factor();
     const std::size_t rows = task.plan.speeds.speeds.size();
@@ -109,9 +122,8 @@ void read_steady(const LevelTask& task, const LevelCase& level, LevelResult& res
             break;
         const double torque = -factor * bob.back().value;
         const double rest = std::abs(torque - factor * cup.back().value);
-        const double earlier = -factor * bob[bob.size() * 4 / 5].value;
         result.torque.push_back(torque);
-        result.unsettled.push_back(std::max(rest, std::abs(torque - earlier)));
+        result.unsettled.push_back(std::max(rest, factor * remaining_change(bob)));
         result.steps += static_cast<long>(bob.size());
         if (torque != 0.0)
             worst = std::max(worst, rest / std::abs(torque));

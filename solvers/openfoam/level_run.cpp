@@ -6,6 +6,7 @@
 #include "solvers/openfoam/installation.hpp"
 #include "solvers/openfoam/level_reading.hpp"
 #include "solvers/openfoam/log_tail.hpp"
+#include "solvers/openfoam/row_start.hpp"
 #include "solvers/openfoam/run_script.hpp"
 #include "solvers/unsuitable_scene.hpp"
 
@@ -133,16 +134,32 @@ private:
         for (row_ = 0; row_ < rows && !result.interrupted && result.failure.empty(); ++row_) {
             if (row_is_finished(task_, row_))
                 continue;
-            const std::string end =
-                fmt::format("{}", (row_ + 1) * static_cast<std::size_t>(task_.plan.iterations));
-            set_control(task_.folder, "endTime", end);
+            const RowStart from{.plan = task_.plan,
+                                .folder = task_.folder,
+                                .coarser = task_.coarser,
+                                .places = field_places(),
+                                .row = row_};
+            set_control(task_.folder, "endTime", from.end());
             set_control(task_.folder, "stopAt", "endTime");
             is_settled_ = false;
+            map_start(from);
             prepare_start();
             note_end(start(solver_command(), application()), result);
             if (result.interrupted || !result.failure.empty())
                 return;
-            settle_row(end);
+            settle_row(from.end());
+            from.clear();
+        }
+    }
+
+    /// A row that cannot be mapped starts from the row before.
+    void map_start(const RowStart& from) {
+        if (!from.can_be_mapped())
+            return;
+        from.prepare();
+        if (start(from.command(), "mapFields") != 0) {
+            from.clear();
+            fail_if_disk_is_full("mapFields");
         }
     }
 

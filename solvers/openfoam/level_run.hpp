@@ -14,8 +14,8 @@ namespace searle::solvers::openfoam {
 /// What one level of refinement gave. Torques are the whole instrument's, N m (N for a box).
 struct LevelResult {
     std::vector<double> torque; ///< of the drive on the rotor, of the rows finished, in order
-    /// Of each row: what is left of the balance of a steady row's two torques, or how much it still
-    /// moved in the last fifth of its iterations, whichever is more; 0 for rows in time.
+    /// Of each row: what is left of the balance of a steady row's two torques, or how much it would
+    /// still move as its last iterations tell, whichever is more; 0 for rows in time.
     std::vector<double> unsettled;
     /// | integral of (M_bob - M_cup) dt - (L(end) - L(start)) | over the integral of |M_bob|, L the
     /// fluid's angular momentum (for a box forces and momentum); for steady rows the largest
@@ -37,6 +37,8 @@ struct LevelTask {
     int level{};
     std::filesystem::path folder; ///< of the level's case
     const Installation& installation;
+    /// Case of the level before, whose steady rows those of this level start from; empty: none.
+    std::filesystem::path coarser{};
 };
 
 /// Writes the level's case without running it. A case that is there is left as it is.

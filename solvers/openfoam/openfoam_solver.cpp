@@ -100,6 +100,9 @@ rheometry::TorqueHistory history_of(const Scene& scene, const Plan& plan, const 
         }
         if (foam.hold > 0.0)
             error += hold_share * scene.solver.accuracy * std::abs(torque);
+        if (foam.end_flow_left_out && foam.swirl_alone &&
+            scene.solver.secondary_flow == Switch::automatic)
+            error += left_out_margin * plan.rows[row].end_flow_share * std::abs(torque);
         if (foam.quasi_steady)
             error += left_out_inertia(scene, plan.rows[row]) * std::abs(torque);
         // The imbalance is the whole run's: corrections that do not converge put a row off by five
@@ -269,10 +272,21 @@ fs::path level_folder(const fs::path& engine_folder, int level) {
     return engine_folder / fmt::format("level-{}", level + 1);
 }
 
+namespace {
+
+LevelTask task_of(const Scene& scene, const FoamPlan& plan, int level,
+                  const fs::path& engine_folder, const Installation& installation) {
+    return {scene,        plan,
+            level,        level_folder(engine_folder, level),
+            installation, level > 0 ? level_folder(engine_folder, level - 1) : fs::path{}};
+}
+
+} // namespace
+
 void write_levels(const Scene& scene, const FoamPlan& plan, const fs::path& engine_folder,
                   const Installation& installation) {
     for (int level = 0; level < 2; ++level)
-        prepare_level({scene, plan, level, level_folder(engine_folder, level), installation});
+        prepare_level(task_of(scene, plan, level, engine_folder, installation));
 }
 
 radial::RadialReport solve_with_openfoam(const Scene& scene, const Plan& plan,
@@ -290,7 +304,7 @@ radial::RadialReport solve_with_openfoam(const Scene& scene, const Plan& plan,
             progress(std::min(1.0, start + share * fraction), stage);
         };
         LevelResult result =
-            run_level({scene, foam, level, level_folder(engine_folder, level), installation}, sink);
+            run_level(task_of(scene, foam, level, engine_folder, installation), sink);
         const bool interrupted = result.interrupted;
         const std::string failure = result.failure;
         const bool blew_up = result.blew_up;
@@ -319,7 +333,7 @@ radial::RadialReport collect_from_openfoam(const Scene& scene, const Plan& plan,
         const fs::path folder = level_folder(engine_folder, level);
         if (!fs::exists(folder / "system" / "controlDict"))
             break;
-        LevelResult result = read_level({scene, foam, level, folder, installation});
+        LevelResult result = read_level(task_of(scene, foam, level, engine_folder, installation));
         if (!result.torque.empty())
             levels.add(std::move(result));
     }

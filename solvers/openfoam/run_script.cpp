@@ -28,15 +28,43 @@ watch_row() {{
                        fmt::arg("column", is_box ? 2 : 4));
 }
 
-std::string rows_text(const CaseFacts& facts, const std::string& run) {
+/// A shell function that starts a row from the flow that the level before found for it.
+std::string map_function(const CaseFacts& facts) {
     const bool parallel = facts.scene.solver.processors > 1;
-    return fmt::format(R"(
+    return fmt::format(R"sh(
+# A row starts from what the level before found for it, where that was solved.
+map_start() {{
+    mapped=$((before + 1))
+    latest=$(ls {first_place} | grep -E '^[0-9]+$' | sort -n | tail -n 1)
+    [ -f ../{coarser}/{first_place}/$end/U ] && [ "$latest" = $before ] || return 0
+    for place in {places}; do
+        mkdir -p "$place/$mapped"
+        cp "$place/$before/U" "$place/$before/p" "$place/$mapped"
+    done
+    mapFields ../{coarser} -consistent -sourceTime $end{flags} >>log.mapFields 2>&1 || clear_start
+}}
+clear_start() {{
+    for place in {places}; do rm -rf "$place/$((before + 1))"; done
+}}
+)sh",
+                       fmt::arg("coarser", facts.coarser),
+                       fmt::arg("first_place", parallel ? "processor0" : "."),
+                       fmt::arg("places", parallel ? "processor*" : "."),
+                       fmt::arg("flags", parallel ? " -parallelSource -parallelTarget" : ""));
+}
+
+std::string rows_text(const CaseFacts& facts, const std::string& run) {
+    const bool has_coarser = !facts.coarser.empty();
+    const bool parallel = facts.scene.solver.processors > 1;
+    return (has_coarser ? map_function(facts) : std::string{}) +
+           fmt::format(R"(
 end=0
 for row in $(seq 1 {rows}); do
+    before=$end
     end=$((row * {iterations}))
     [ -d {first_place}$end ] && continue
     sed -i -e "s/^endTime .*/endTime         $end;/" -e "s/^stopAt .*/stopAt          endTime;/" system/controlDict
-    prepare_start
+{map}    prepare_start
     watch_row $start &
     watch=$!
     code=0
@@ -49,8 +77,10 @@ for row in $(seq 1 {rows}); do
         last=$(ls "$place" | grep -E '^[0-9]+$' | sort -n | tail -n 1)
         [ "$last" = "$end" ] || mv "$place/$last" "$place/$end"
     done
-done
+{clear}done
 )",
+                       fmt::arg("map", has_coarser ? "    map_start\n" : ""),
+                       fmt::arg("clear", has_coarser ? "    clear_start\n" : ""),
                        fmt::arg("rows", facts.plan.speeds.speeds.size()),
                        fmt::arg("iterations", facts.plan.iterations),
                        fmt::arg("first_place", parallel ? "processor0/" : ""), fmt::arg("run", run),

@@ -53,7 +53,7 @@ TEST(Plan, openfoam_solves_a_profile_with_its_pressure) {
     scene.protocol.program = Steps{{rate(10.0)}, {}};
     const Plan plan = make_plan(scene);
     EXPECT_EQ(plan.model, "openfoam simpleFoam");
-    EXPECT_NE(plan.model_reason.find("10 to 40 cells"), std::string::npos) << plan.model_reason;
+    EXPECT_NE(plan.model_reason.find("5 to 40 cells"), std::string::npos) << plan.model_reason;
 }
 
 } // namespace
