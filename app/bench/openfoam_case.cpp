@@ -36,7 +36,7 @@ void put(const fs::path& file, const std::string& text) {
         throw std::runtime_error(file.string() + ": cannot be written");
 }
 
-bool is_steady(const FoamCase& foam) { return foam.solver == "simpleFoam"; }
+bool is_steady(const FoamCase& foam) { return foam.solver == "simpleFoam" || foam.steady_swirl; }
 
 std::string control(const FoamCase& foam) {
     return head("dictionary", "controlDict") +
@@ -73,14 +73,15 @@ std::string solution(const FoamCase& foam) {
         (is_steady(foam) ? "0.05" : "0") +
         "; }\npFinal { $p; relTol 0; }\nU { solver PBiCGStab; preconditioner DILU; tolerance 1e-9; "
         "relTol " +
-        (is_steady(foam) ? "0.05" : "0") + "; }\nUFinal { $U; relTol 0; }\n}\n";
-    if (is_steady(foam))
+        (is_steady(foam) ? "0.05" : "0") + "; }\nUFinal { $U; relTol " +
+        (is_steady(foam) ? "0.01" : "0") + "; }\n}\n";
+    if (foam.solver == "simpleFoam")
         return text +
-               fmt::format("SIMPLE {{ consistent {}; nNonOrthogonalCorrectors 0; pRefCell 0; "
+               fmt::format("SIMPLE {{ consistent yes; nNonOrthogonalCorrectors 0; pRefCell 0; "
                            "pRefValue 0;\nresidualControl {{ p 1e-5; U {}; }} }}\n"
                            "relaxationFactors {{ equations {{ U {}; }} fields {{ p {}; }} }}\n",
-                           foam.cautious ? "no" : "yes", foam.cautious ? "1e-5" : "1e-6",
-                           foam.cautious ? 0.7 : 0.9, foam.cautious ? 0.3 : 1.0);
+                           foam.cautious ? "1e-5" : "1e-6", foam.cautious ? 0.95 : 0.9,
+                           foam.cautious ? 0.5 : 1.0);
     const bool swirl_alone = foam.swirl_corrections > 0;
     return text +
            fmt::format("PISO {{ nCorrectors 2; nNonOrthogonalCorrectors 0; pRefCell 0; pRefValue "

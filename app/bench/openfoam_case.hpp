@@ -31,7 +31,9 @@ struct FoamCase {
     /// Of pimpleFoam: so many corrections a step of the swirl alone, on which no pressure acts;
     /// none of the pressure. 0: two, with the pressure.
     int swirl_corrections{};
-    /// Of simpleFoam: SIMPLE with strong relaxation, where SIMPLEC diverges.
+    /// Of pimpleFoam on the swirl alone: steps are iterations of a steady flow.
+    bool steady_swirl{};
+    /// Of simpleFoam: SIMPLEC with the pressure relaxed by a half, where it diverges without.
     bool cautious{};
 };
 

@@ -122,11 +122,34 @@ Peer steady_gap_peer(const BenchScene& scene, const std::string& solver, int cel
             }};
 }
 
+/// Creeping flow around a bob: the swirl alone, in as many iterations as bring the cells that are
+/// not orthogonal to 1e-6.
+Peer creeping_bob_peer(const BenchScene& scene, int cells, double cost) {
+    return {"OpenFOAM pimpleFoam",
+            fmt::format("1 deg, {} cells across the gap, swirl alone", cells), cost,
+            [scene, cells](const fs::path& folder, double limit, const StopQuestion& stop) {
+                const Case source = case_of(scene, 1e-3);
+                FoamCase foam = start_of("pimpleFoam", source.scene, cells);
+                const double speed = solvers::make_plan(source.scene).rows.front().speed;
+                foam.step = 1.0;
+                foam.end_time = 8.0;
+                foam.steady_swirl = true;
+                foam.swirl_corrections = 1;
+                foam.speeds = {{0.0, speed}, {1e9, speed}};
+                std::vector<FoamTorque> torques;
+                PeerRun run = run_foam(foam, folder, limit, stop, torques);
+                if (!torques.empty())
+                    run.torques = {torques.back().torque};
+                return run;
+            }};
+}
+
 /// Steady flow around a bob.
 Peer bob_peer(const BenchScene& scene, int cells, bool cautious, double cost) {
     return {
         "OpenFOAM simpleFoam",
-        fmt::format("1 deg, {} cells across the gap, {}", cells, cautious ? "SIMPLE" : "SIMPLEC"),
+        fmt::format("1 deg, {} cells across the gap, SIMPLEC{}", cells,
+                    cautious ? ", pressure relaxed" : ""),
         cost,
         [scene, cells, cautious](const fs::path& folder, double limit, const StopQuestion& stop) {
             const Case source = case_of(scene, 1e-3);
@@ -191,10 +214,12 @@ std::vector<Peer> openfoam_peers(const BenchScene& scene) {
         return {steady_gap_peer(scene, "pimpleFoam", 40, 800, 0, 4.0),
                 steady_gap_peer(scene, "pimpleFoam", 40, 800, 1, 2.0)};
     if (scene.name == "din-creeping")
-        return {bob_peer(scene, 5, false, 0.3), bob_peer(scene, 10, false, 0.8),
-                bob_peer(scene, 20, false, 6.0)};
+        return {bob_peer(scene, 5, false, 0.3),    bob_peer(scene, 10, false, 0.8),
+                bob_peer(scene, 20, false, 6.0),   creeping_bob_peer(scene, 5, 0.2),
+                creeping_bob_peer(scene, 10, 0.3), creeping_bob_peer(scene, 20, 0.6),
+                creeping_bob_peer(scene, 40, 2.0)};
     if (scene.name == "din-secondary-10")
-        return {bob_peer(scene, 5, false, 1.5), bob_peer(scene, 10, false, 4.0),
+        return {bob_peer(scene, 5, true, 1.5), bob_peer(scene, 10, true, 4.0),
                 bob_peer(scene, 20, true, 40.0)};
     if (scene.name == "din-secondary-100")
         return {bob_peer(scene, 5, true, 4.0), bob_peer(scene, 10, true, 20.0),

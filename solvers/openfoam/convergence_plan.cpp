@@ -46,21 +46,20 @@ double slope_at(const laws::flow::AnyFlowLaw& law, double rate) {
                       law);
 }
 
-constexpr long most_iterations = 3000;
-constexpr long enough_with_plug = 2000;
 constexpr long fewest_iterations = 10;
 /// Of sections, whose cells are not all orthogonal: what that adds is taken from the iteration
 /// before, which leaves less than half of its error (measured around cones of 120 degrees).
 constexpr long enough_for_skew_cells = 20;
 
-/// Around a bob in a yield-stress fluid the torque was within 1e-3 of what it came to after 20 to
-/// 230 iterations, within 1e-4 after 40 to 400 (n = 0.5, tau_0 / (K rate^n) from 1 to 10): as many
-/// as leave a tenth of the accuracy. What is left is told from how the row still moves.
-long enough_in_section(double accuracy) {
-    constexpr double at_one_percent = 250.0;
-    constexpr double for_a_decade = 170.0;
-    const double count = at_one_percent + for_a_decade * std::max(0.0, -2.0 - std::log10(accuracy));
-    return std::min(std::lround(count), enough_with_plug);
+/// Where a part of the fluid yields or comes near it, the torque was within 1e-3 of what it came to
+/// after 140 iterations in a gap and 230 around a bob, within 1e-4 after 500, 1e-5 after 900
+/// (n = 0.5, tau_0 / (K rate^n) from 0.3 to 30, 20 to 160 cells across): as many as leave a few
+/// hundredths of the accuracy. What is left is told from how the row still moves.
+long enough_with_plug(double accuracy) {
+    constexpr double at_one_percent = 300.0;
+    constexpr double for_a_decade = 400.0;
+    const double count = at_one_percent + for_a_decade * (-2.0 - std::log10(accuracy));
+    return std::clamp(std::lround(count), 200L, 3000L);
 }
 
 /// Iterations of a row whose rotor turns at `speed`.
@@ -70,15 +69,16 @@ long iterations_at(const Scene& scene, double speed) {
     const laws::flow::AnyFlowLaw& law = scene.fluid.law;
     const radial::SteadyInstrumentFlow flow =
         radial::steady_instrument_flow(scene.instrument, law, speed);
+    const long most = enough_with_plug(scene.solver.accuracy);
     RateSpan span = span_of(scene.instrument, law, flow.rotor_wall_rate);
     if (has_ends(scene)) { // around which the fluid comes to rest
         if (laws::flow::yield_stress(law) > 0.0)
-            return enough_in_section(scene.solver.accuracy);
+            return most;
         constexpr double part_at_rest = 1e-6;
         span.least *= part_at_rest;
     }
     if (flow.partly_sheared || span.least <= 0.0)
-        return enough_with_plug;
+        return most;
     double left = 0.0; // of an error, after an iteration
     constexpr int parts = 8;
     for (int part = 0; part <= parts; ++part) {
@@ -86,10 +86,10 @@ long iterations_at(const Scene& scene, double speed) {
         const double rate = span.least * std::pow(span.largest / span.least, share);
         left = std::max(left, std::abs(1.0 - slope_at(law, rate)));
     }
-    constexpr double aim = 1e-9;
+    const double aim = 1e-4 * std::min(1.0, scene.solver.accuracy);
     constexpr double margin = 1.3;
     const double count = margin * std::log(aim) / std::log(std::clamp(left, 1e-3, 1.0 - 1e-9));
-    return std::clamp(std::lround(std::ceil(count)), fewest_iterations, most_iterations);
+    return std::clamp(std::lround(std::ceil(count)), fewest_iterations, most);
 }
 
 /// A viscosity is found by repeated substitution, which leaves |1 - s| of an error each time: as

@@ -33,7 +33,7 @@ public:
         const rheometry::SpeedHistory& history, const GapResolution& resolution)
         : shape_(shape), original_(original), history_(history),
           tolerance_(resolution.step_tolerance), steps_per_row_(resolution.steps_per_row),
-          most_assemblies_(resolution.most_assemblies),
+          first_step_(resolution.first_step), most_assemblies_(resolution.most_assemblies),
           grid_(graded_grid(shape, resolution.layer, resolution.elements)),
           system_(shape, grid_, law) {
         const std::size_t count = system_.elements();
@@ -67,7 +67,7 @@ public:
             const double first_target = std::min(piece.end_time, history_.row_times[row]);
             // A kink or a jump starts a new momentum layer: begin with steps that can see it.
             // A row that rounding puts beside the kink sets no scale.
-            step_ = 1e-2 * std::max(first_target - time_, 1e-12 * (piece.end_time - time_));
+            step_ = first_step_ * std::max(first_target - time_, 1e-12 * (piece.end_time - time_));
             if (piece.start_speed != speed_before) {
                 const double wait = first_target - time_;
                 const double smallest = wait * std::min(1e-4, 1e-2 * tolerance_);
@@ -333,6 +333,7 @@ private:
     const rheometry::SpeedHistory& history_;
     double tolerance_;
     int steps_per_row_;
+    double first_step_;
     long most_assemblies_;
     std::vector<double> grid_;
     GapSystem<Law> system_;

@@ -13,9 +13,10 @@ namespace searle::solvers::radial {
 /// How finely one run of a gap resolves space and time.
 struct GapResolution {
     int elements{};
-    double layer{};          ///< thickness for graded_grid, m
-    int steps_per_row = 1;   ///< at least so many steps from row to row
-    double step_tolerance{}; ///< local error of the flux in a step, relative to the largest flux
+    double layer{};           ///< thickness for graded_grid, m
+    int steps_per_row = 1;    ///< at least so many steps from row to row
+    double first_step = 1e-2; ///< after a kink of the speed, over the time to the next row
+    double step_tolerance{};  ///< local error of the flux in a step, relative to the largest flux
     /// Evaluations of the law over the gap, after which it gives up.
     long most_assemblies = std::numeric_limits<long>::max();
 };

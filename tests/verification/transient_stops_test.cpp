@@ -73,6 +73,29 @@ TEST(TransientStops, of_yield_stress_fluids_leave_the_rows_before_alone) {
     }
 }
 
+/// Scene 3219 of seed 50 of `searle stress fluid`: the first step after the start, which every step
+/// tolerance of three levels let stand, was the same on all of them, and its error was not told.
+TEST(TransientStops, first_step_of_a_start_is_halved_with_the_others) {
+    const std::vector<RotorGap> gaps{{{.inner = 0.0131330156,
+                                       .outer = 0.0135853391,
+                                       .outer_wall_moves = true,
+                                       .density = 2107.09},
+                                      1.0},
+                                     {{.inner = 0.0158677449,
+                                       .outer = 0.0162019155,
+                                       .outer_wall_moves = false,
+                                       .density = 2107.09},
+                                      -1.0}};
+    const Bingham fluid{0.00142063993, 0.00154703496};
+    const auto history = up_and_down(0.00033858469439656505, 0.0360284, 2);
+    const auto found = solve_levels(gaps, fluid, history, 4.594e-4, {});
+    const auto fine = solve_levels(gaps, fluid, history, 1e-5, {});
+    ASSERT_EQ(found.torque.size(), 4U);
+    ASSERT_EQ(fine.torque.size(), 4U);
+    for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_LE(std::abs(found.torque[k] - fine.torque[k]), found.error[k] + fine.error[k]) << k;
+}
+
 /// Long after a kink a Newtonian fluid's stress between plates is viscosity times the rate plus
 /// density times acceleration times a third of the gap: at the stop that is all there is. What is
 /// left of it after the velocity's rounding is known to a part of its bar.
