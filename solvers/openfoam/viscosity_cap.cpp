@@ -13,6 +13,24 @@ namespace {
 /// Rate at which the viscosity reaches its cap, as a part of the slowest row's rate at the wall.
 double cap_part(double accuracy) { return std::clamp(accuracy, 1e-6, 1e-2); }
 
+/// The least rate at which the viscosity is no more than its cap: of a thickening fluid it may rise
+/// beyond it again.
+double rate_of_cap(const auto& viscosity, double cap, double typical_rate) {
+    double low = std::log(1e-12 * typical_rate);
+    const double end = std::log(1e12 * typical_rate);
+    constexpr double stride = 0.1;
+    double high = low;
+    while (high < end && viscosity(std::exp(high)) > cap) {
+        low = high;
+        high += stride;
+    }
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (low + high);
+        (viscosity(std::exp(middle)) > cap ? low : high) = middle;
+    }
+    return std::exp(high);
+}
+
 } // namespace
 
 void choose_cap(const Scene& scene, const Plan& plan, FoamPlan& foam) {
@@ -20,23 +38,23 @@ void choose_cap(const Scene& scene, const Plan& plan, FoamPlan& foam) {
     if (!needs_viscosity_cap(scene.fluid.law))
         return;
     double slowest = std::numeric_limits<double>::infinity();
+    double fastest = 0.0;
     for (const RowForecast& row : plan.rows)
-        if (row.shear_rate != 0.0)
+        if (row.shear_rate != 0.0) {
             slowest = std::min(slowest, std::abs(row.shear_rate));
+            fastest = std::max(fastest, std::abs(row.shear_rate));
+        }
     if (!std::isfinite(slowest))
-        slowest = 1.0;
-    const double rate = cap_part(scene.solver.accuracy) * slowest;
-    foam.viscosity_cap =
-        scene.solver.viscosity_cap.value_or(laws::flow::stress(scene.fluid.law, rate) / rate);
-    // Where the law meets the cap: stress(rate) = cap rate, found by halving in ln rate.
-    double low = std::log(1e-12 * slowest);
-    double high = std::log(1e12 * slowest);
-    for (int i = 0; i < 100; ++i) {
-        const double middle = 0.5 * (low + high);
-        const double at = std::exp(middle);
-        (laws::flow::stress(scene.fluid.law, at) > foam.viscosity_cap * at ? low : high) = middle;
-    }
-    const double cap_rate = std::exp(high);
+        slowest = fastest = 1.0;
+    const auto viscosity = [&](double rate) {
+        return laws::flow::stress(scene.fluid.law, rate) / rate;
+    };
+    // Of a thickening fluid that of the fastest fluid counts, which may be more.
+    constexpr double margin = 2.0;
+    const double least = margin * viscosity(margin * fastest);
+    foam.viscosity_cap = scene.solver.viscosity_cap.value_or(
+        std::max(viscosity(cap_part(scene.solver.accuracy) * slowest), least));
+    const double cap_rate = rate_of_cap(viscosity, foam.viscosity_cap, slowest);
     // A cap lowers the torque by 0.22 of cap rate over wall rate where there is a plug
     // (physics of a gap of 1.5; measured); more is claimed.
     // In time the creep of the plug counts twice where the flow turns round: 0.98 was seen.
@@ -46,6 +64,11 @@ void choose_cap(const Scene& scene, const Plan& plan, FoamPlan& foam) {
             std::abs(plan.rows[row].shear_rate) < 10.0 * cap_rate)
             foam.cap_error[row] =
                 std::min(1.0, claimed * cap_rate / std::abs(plan.rows[row].shear_rate));
+    // Nothing tells what a cap below the viscosity of what is sheared does.
+    for (std::size_t row = 0; row < plan.rows.size(); ++row)
+        if (plan.rows[row].shear_rate != 0.0 &&
+            viscosity(std::abs(plan.rows[row].shear_rate)) > foam.viscosity_cap)
+            foam.cap_error[row] = 1.0;
 }
 
 } // namespace searle::solvers::openfoam
