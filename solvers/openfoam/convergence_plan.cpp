@@ -47,25 +47,26 @@ double slope_at(const laws::flow::AnyFlowLaw& law, double rate) {
 }
 
 constexpr long fewest_iterations = 10;
-/// Of sections, whose cells are not all orthogonal: what that adds is taken from the iteration
-/// before, which leaves less than half of its error (measured around cones of 120 degrees).
+/// Of cells that are not all orthogonal: what that adds is taken from the iteration before, which
+/// leaves less than half of its error (measured around cones of 120 degrees).
 constexpr long enough_for_skew_cells = 20;
 
 /// Where a part of the fluid yields or comes near it, the torque was within 1e-3 of what it came to
 /// after 140 iterations in a gap and 230 around a bob, within 1e-4 after 500, 1e-5 after 900
-/// (n = 0.5, tau_0 / (K rate^n) from 0.3 to 30, 20 to 160 cells across): as many as leave a few
-/// hundredths of the accuracy. What is left is told from how the row still moves.
+/// (n = 0.5, tau_0 / (K rate^n) from 0.3 to 30, 20 to 160 cells across; at 100 the two torques
+/// balance to 0.24 % after 180): as many as leave a few hundredths of the accuracy. What is left is
+/// told from how the row still moves.
 long enough_with_plug(double accuracy) {
-    constexpr double at_one_percent = 300.0;
+    constexpr double at_one_percent = 500.0;
     constexpr double for_a_decade = 400.0;
     const double count = at_one_percent + for_a_decade * (-2.0 - std::log10(accuracy));
-    return std::clamp(std::lround(count), 200L, 3000L);
+    return std::clamp(std::lround(count), 400L, 3000L);
 }
 
 /// Iterations of a row whose rotor turns at `speed`.
-long iterations_at(const Scene& scene, double speed) {
+long iterations_at(const Scene& scene, double speed, long fewest) {
     if (is_newtonian(scene) || speed == 0.0)
-        return has_ends(scene) ? enough_for_skew_cells : fewest_iterations;
+        return fewest;
     const laws::flow::AnyFlowLaw& law = scene.fluid.law;
     const radial::SteadyInstrumentFlow flow =
         radial::steady_instrument_flow(scene.instrument, law, speed);
@@ -89,7 +90,7 @@ long iterations_at(const Scene& scene, double speed) {
     const double aim = 1e-4 * std::min(1.0, scene.solver.accuracy);
     constexpr double margin = 1.3;
     const double count = margin * std::log(aim) / std::log(std::clamp(left, 1e-3, 1.0 - 1e-9));
-    return std::clamp(std::lround(std::ceil(count)), fewest_iterations, most);
+    return std::clamp(std::lround(std::ceil(count)), fewest, most);
 }
 
 /// A viscosity is found by repeated substitution, which leaves |1 - s| of an error each time: as
@@ -153,6 +154,7 @@ void choose_corrections(const Scene& scene, const Plan& plan, FoamPlan& foam) {
         // A wedge takes the turn of the velocity from side to side from the correction before, and
         // the second has it to 1e-5 (measured).
         foam.outer_corrections = is_rate_dependent ? viscosity_corrections(scene.fluid.law)
+                                 : foam.skew_cells ? 3
                                  : is_box(scene)   ? 1
                                                    : 2;
         return;
@@ -173,11 +175,12 @@ void choose_corrections(const Scene& scene, const Plan& plan, FoamPlan& foam) {
     foam.outer_corrections = 5;
 }
 
-std::vector<long> row_ends(const Scene& scene, const std::vector<double>& speeds) {
+std::vector<long> row_ends(const Scene& scene, const FoamPlan& foam) {
     std::vector<long> ends;
     long end = 0;
-    for (const double speed : speeds) {
-        end += iterations_at(scene, speed);
+    for (const double speed : foam.speeds.speeds) {
+        end += iterations_at(scene, speed,
+                             foam.skew_cells ? enough_for_skew_cells : fewest_iterations);
         ends.push_back(end);
     }
     return ends;

@@ -14,11 +14,12 @@ namespace searle::solvers::openfoam {
 /// @param foam  with steady, swirl_alone and vortices
 void choose_corrections(const Scene& scene, const Plan& plan, FoamPlan& foam);
 
-/// Steady rows of the swirl alone, where each iteration puts in the viscosity of the one before and solves
-/// for the swirl: where the stress goes as the s-th power of the rate an error shrinks to |1 - s|
-/// of itself each time. As many iterations a row as bring it to 1e-4 of the accuracy, from the
+/// Steady rows of the swirl alone, where each iteration puts in the viscosity of the one before and
+/// solves for the swirl: where the stress goes as the s-th power of the rate an error shrinks to |1
+/// - s| of itself each time. As many iterations a row as bring it to 1e-4 of the accuracy, from the
 /// steady flow's rates; where there is a plug as many as were enough.
+/// @param foam  with speeds and skew_cells
 /// @return the iteration with which each row ends
-[[nodiscard]] std::vector<long> row_ends(const Scene& scene, const std::vector<double>& speeds);
+[[nodiscard]] std::vector<long> row_ends(const Scene& scene, const FoamPlan& foam);
 
 } // namespace searle::solvers::openfoam

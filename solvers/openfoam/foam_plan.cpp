@@ -111,22 +111,29 @@ bool leaves_out_end_flow(const Scene& scene, const Plan& plan) {
                : scene.solver.secondary_flow == Switch::off;
 }
 
-/// Whether the swirl alone is to be found: the mesh will be one cell high around a centred rotor,
-/// or the secondary flow at its ends is left out; and how long a cell is. In time that holds in a
-/// wedge as in the whole turn; steady rows, and programs that always correct the pressure, are
-/// iterated as a flow in two directions where there are cells in two.
+/// Whether the swirl alone is to be found: around a centred rotor without ends, or where the
+/// secondary flow at its ends is left out; and how long a cell is. In a wedge that holds on every
+/// mesh, in time in the whole turn, too, where a slice is one cell high; steady rows, and programs
+/// that always correct the pressure, are iterated as a flow in two directions where there are cells
+/// in two.
 void find_swirl(const Scene& scene, const Plan& plan, FoamPlan& foam) {
     const geometry::MeshSettings mesh = mesh_settings(scene, foam, 0);
     foam.end_flow_left_out = leaves_out_end_flow(scene, plan);
-    const bool one_cell_high =
-        is_endless(scene) && !foam.vortices && eccentric_gap(scene) == nullptr &&
-        !mesh.floor_clearance && mesh.axial_cells.value_or(mesh.slice_height ? 1 : 0) == 1 &&
-        mesh.cells.value_or(geometry::CellStyle::hexahedra) == geometry::CellStyle::hexahedra;
+    const auto cells = mesh.cells.value_or(geometry::CellStyle::hexahedra);
+    const bool is_slice = is_endless(scene) && !foam.vortices && eccentric_gap(scene) == nullptr &&
+                          !mesh.floor_clearance;
+    const bool one_cell_high = mesh.axial_cells.value_or(mesh.slice_height ? 1 : 0) == 1 &&
+                               cells == geometry::CellStyle::hexahedra;
     foam.one_cell_along = mesh.angular_cells.value_or(1) == 1 &&
+                          cells != geometry::CellStyle::tetrahedra &&
                           (is_box(scene) || extent_of(mesh) == geometry::MeshExtent::wedge);
-    foam.swirl_alone =
-        (one_cell_high || foam.end_flow_left_out) &&
-        (foam.one_cell_along || (!foam.steady && foam.application == FoamApplication::pimple_foam));
+    foam.skew_cells =
+        geometry::has_ends(scene.instrument) || cells != geometry::CellStyle::hexahedra;
+    if (foam.one_cell_along)
+        foam.swirl_alone = is_slice || foam.end_flow_left_out;
+    else
+        foam.swirl_alone = ((is_slice && one_cell_high) || foam.end_flow_left_out) &&
+                           !foam.steady && foam.application == FoamApplication::pimple_foam;
 }
 
 void choose_time(const Scene& scene, const Plan& plan, FoamPlan& foam) {
@@ -149,7 +156,7 @@ void choose_time(const Scene& scene, const Plan& plan, FoamPlan& foam) {
             if (foam.swirl_alone && may_be_one_run) {
                 foam.application = FoamApplication::pimple_foam;
                 foam.application_reason = "every row is iterated until steady, on the swirl alone";
-                foam.row_ends = row_ends(scene, foam.speeds.speeds);
+                foam.row_ends = row_ends(scene, foam);
                 foam.relaxation = 0.0;
             } else if (foam.application == FoamApplication::pimple_foam) {
                 throw UnsuitableScene(
@@ -324,6 +331,11 @@ geometry::MeshSettings mesh_settings(const Scene& scene, const FoamPlan& plan, i
         if (!mesh.growth)
             mesh.growth = 1.0;
     } else if (is_endless(scene) && !mesh.floor_clearance) {
+        // Cells of triangles are as high as wide: as few layers of them as are a gap high.
+        const auto* gap = std::get_if<geometry::ConcentricCylinders>(&scene.instrument);
+        if (gap != nullptr && !mesh.slice_height &&
+            mesh.cells.value_or(geometry::CellStyle::hexahedra) != geometry::CellStyle::hexahedra)
+            mesh.slice_height = gap->gap();
         if (!mesh.slice_height && !mesh.axial_cells)
             mesh.axial_cells = 1;
         if (!mesh.growth)

@@ -36,6 +36,8 @@ struct FoamPlan {
     bool end_flow_left_out{};
     /// The mesh is a wedge, or a box one cell long: no periodic sides that a correction late sees.
     bool one_cell_along{};
+    /// Not all cells are orthogonal: around cones, and of triangles.
+    bool skew_cells{};
     int outer_corrections = 3;    ///< of pimpleFoam in a time step
     int pressure_corrections = 2; ///< of pimpleFoam in each of them, where there is a pressure
     /// Relaxation factor of the velocity: of simpleFoam, and of pimpleFoam before a time step's

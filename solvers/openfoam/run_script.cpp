@@ -36,7 +36,8 @@ std::string map_function(const CaseFacts& facts) {
 map_start() {{
     mapped=$((before + 1))
     latest=$(ls {first_place} | grep -E '^[0-9]+$' | sort -n | tail -n 1)
-    [ -f ../{coarser}/{first_place}/$end/U ] && [ "$latest" = $before ] || return 0
+    [ -f ../{coarser}/{first_place}/$end/U ] || return 0
+    [ "$latest" = $before ] || [ "$latest" = $mapped ] || return 0
     for place in {places}; do
         mkdir -p "$place/$mapped"
         cp "$place/$before/U" "$place/$before/p" "$place/$mapped"
