@@ -59,11 +59,18 @@ void choose_cap(const Scene& scene, const Plan& plan, FoamPlan& foam) {
     // (physics of a gap of 1.5; measured); more is claimed.
     // In time the creep of the plug counts twice where the flow turns round: 0.98 was seen.
     const double claimed = foam.steady ? 0.5 : 1.25;
-    for (std::size_t row = 0; row < plan.rows.size(); ++row)
-        if (plan.rows[row].regime.find("partly-sheared") != std::string::npos ||
-            std::abs(plan.rows[row].shear_rate) < 10.0 * cap_rate)
+    // Around a rotor's ends a part of the fluid is at rest whatever the gap does; what creeps there
+    // is worth as much of the ends' torque, a quarter of the whole at the most.
+    constexpr double share_of_ends = 0.25;
+    const bool rests_at_ends = scene.profile || geometry::has_ends(scene.instrument);
+    for (std::size_t row = 0; row < plan.rows.size(); ++row) {
+        const double rate = std::abs(plan.rows[row].shear_rate);
+        const bool in_gap = plan.rows[row].regime.find("partly-sheared") != std::string::npos ||
+                            rate < 10.0 * cap_rate;
+        if (in_gap || rests_at_ends)
             foam.cap_error[row] =
-                std::min(1.0, claimed * cap_rate / std::abs(plan.rows[row].shear_rate));
+                std::min(1.0, (in_gap ? 1.0 : share_of_ends) * claimed * cap_rate / rate);
+    }
     // Nothing tells what a cap below the viscosity of what is sheared does.
     for (std::size_t row = 0; row < plan.rows.size(); ++row)
         if (plan.rows[row].shear_rate != 0.0 &&

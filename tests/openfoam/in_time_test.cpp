@@ -75,5 +75,21 @@ TEST_F(OpenFoamInTime, levels_follow_until_the_torques_balance_too) {
               0.01);
 }
 
+// Scene 49 of seed 63 of `searle stress openfoam`: two and four cells across cross where the wall
+// slows down, and said 2 where they were 18 off.
+TEST_F(OpenFoamInTime, levels_that_are_far_apart_claim_as_much_for_the_rows_that_follow) {
+    EXPECT_GT(compare("type = \"double-gap\"\nradii = [\"15.8696336 mm\", \"19.6308616 mm\", "
+                      "\"20.5463396 mm\", \"20.6643456 mm\"]\nheight = \"31.7393 mm\"\n",
+                      "model = \"power-law\"\nconsistency = \"0.0345885303 Pa.s^n\"\nflow_index "
+                      "= 0.460368\ndensity = \"1695.05 kg/m^3\"\n",
+                      "type = \"segments\"\nsegments = [{ to = \"0.522302 1/s\", duration = "
+                      "\"0.488468 ms\", points = 10 }, { to = \"0 1/s\", duration = \"0.488468 "
+                      "ms\", points = 10 }]\n",
+                      "[solver]\naccuracy = 0.0458\ntime_step = \"0.807 ms\"\n[mesh]\n"
+                      "cells_across_gap = 4\n",
+                      3),
+              0.25);
+}
+
 } // namespace
 } // namespace searle::app
