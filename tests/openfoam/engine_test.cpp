@@ -147,7 +147,7 @@ TEST_F(OpenFoamEngine, written_cases_run_by_hand_and_are_collected) {
 // line.
 TEST_F(OpenFoamEngine, steady_rows_of_a_slice_go_on_in_the_middle_of_one) {
     const std::vector<std::string> settings{
-        "solver.engine=openfoam", "solver.accuracy=0.02", "mesh.cells_across_gap=640",
+        "solver.engine=openfoam", "solver.accuracy=0.02", "mesh.cells_across_gap=1280",
         "protocol={type=\"steps\", shear_rates=[\"0.01 1/s\", \"100 1/s\", \"-0.01 1/s\"], "
         "hold=\"steady\"}"};
     ASSERT_EQ(run_case("single-gap-slurry.toml", "whole", settings).exit_code, 0);
