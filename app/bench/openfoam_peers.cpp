@@ -122,50 +122,46 @@ Peer steady_gap_peer(const BenchScene& scene, const std::string& solver, int cel
             }};
 }
 
-/// Creeping flow around a bob: the swirl alone, in as many iterations as bring the cells that are
-/// not orthogonal to 1e-6.
-Peer creeping_bob_peer(const BenchScene& scene, int cells, double cost) {
-    return {"OpenFOAM pimpleFoam",
-            fmt::format("1 deg, {} cells across the gap, swirl alone", cells), cost,
-            [scene, cells](const fs::path& folder, double limit, const StopQuestion& stop) {
+/// How a steady flow around a bob is found.
+struct BobSettings {
+    const char* solver;
+    const char* words;
+    double most_iterations;
+    bool cautious{};     ///< FoamCase's
+    bool steady_swirl{}; ///< FoamCase's
+};
+constexpr BobSettings simplec{
+    .solver = "simpleFoam", .words = "SIMPLEC", .most_iterations = 10'000};
+constexpr BobSettings relaxed_simplec{.solver = "simpleFoam",
+                                      .words = "SIMPLEC, pressure relaxed",
+                                      .most_iterations = 10'000,
+                                      .cautious = true};
+/// Of creeping flow: as many iterations as bring the cells that are not orthogonal to 1e-6.
+constexpr BobSettings swirl_alone{
+    .solver = "pimpleFoam", .words = "swirl alone", .most_iterations = 8, .steady_swirl = true};
+
+/// Steady flow around a bob.
+Peer bob_peer(const BenchScene& scene, int cells, const BobSettings& settings, double cost) {
+    return {fmt::format("OpenFOAM {}", settings.solver),
+            fmt::format("1 deg, {} cells across the gap, {}", cells, settings.words), cost,
+            [=](const fs::path& folder, double limit, const StopQuestion& stop) {
                 const Case source = case_of(scene, 1e-3);
-                FoamCase foam = start_of("pimpleFoam", source.scene, cells);
+                FoamCase foam = start_of(settings.solver, source.scene, cells);
                 const double speed = solvers::make_plan(source.scene).rows.front().speed;
                 foam.step = 1.0;
-                foam.end_time = 8.0;
-                foam.steady_swirl = true;
-                foam.swirl_corrections = 1;
+                foam.cautious = settings.cautious;
+                foam.steady_swirl = settings.steady_swirl;
+                foam.swirl_corrections = settings.steady_swirl ? 1 : 0;
+                foam.end_time = settings.most_iterations;
                 foam.speeds = {{0.0, speed}, {1e9, speed}};
                 std::vector<FoamTorque> torques;
                 PeerRun run = run_foam(foam, folder, limit, stop, torques);
                 if (!torques.empty())
                     run.torques = {torques.back().torque};
+                if (!settings.steady_swirl) // as many as it needs
+                    run.remark = fmt::format("{} iterations", torques.size());
                 return run;
             }};
-}
-
-/// Steady flow around a bob.
-Peer bob_peer(const BenchScene& scene, int cells, bool cautious, double cost) {
-    return {
-        "OpenFOAM simpleFoam",
-        fmt::format("1 deg, {} cells across the gap, SIMPLEC{}", cells,
-                    cautious ? ", pressure relaxed" : ""),
-        cost,
-        [scene, cells, cautious](const fs::path& folder, double limit, const StopQuestion& stop) {
-            const Case source = case_of(scene, 1e-3);
-            FoamCase foam = start_of("simpleFoam", source.scene, cells);
-            const double speed = solvers::make_plan(source.scene).rows.front().speed;
-            foam.step = 1.0;
-            foam.cautious = cautious;
-            foam.end_time = 10000.0;
-            foam.speeds = {{0.0, speed}, {1e9, speed}};
-            std::vector<FoamTorque> torques;
-            PeerRun run = run_foam(foam, folder, limit, stop, torques);
-            if (!torques.empty())
-                run.torques = {torques.back().torque};
-            run.remark = fmt::format("{} iterations", torques.size());
-            return run;
-        }};
 }
 
 /// Vortices that grow from a small disturbance at a steady speed, for 20 s.
@@ -214,16 +210,17 @@ std::vector<Peer> openfoam_peers(const BenchScene& scene) {
         return {steady_gap_peer(scene, "pimpleFoam", 40, 800, 0, 4.0),
                 steady_gap_peer(scene, "pimpleFoam", 40, 800, 1, 2.0)};
     if (scene.name == "din-creeping")
-        return {bob_peer(scene, 5, false, 0.3),    bob_peer(scene, 10, false, 0.8),
-                bob_peer(scene, 20, false, 6.0),   creeping_bob_peer(scene, 5, 0.2),
-                creeping_bob_peer(scene, 10, 0.3), creeping_bob_peer(scene, 20, 0.6),
-                creeping_bob_peer(scene, 40, 2.0)};
+        return {bob_peer(scene, 5, simplec, 0.3),      bob_peer(scene, 10, simplec, 0.8),
+                bob_peer(scene, 20, simplec, 6.0),     bob_peer(scene, 5, swirl_alone, 0.2),
+                bob_peer(scene, 10, swirl_alone, 0.3), bob_peer(scene, 20, swirl_alone, 0.6),
+                bob_peer(scene, 40, swirl_alone, 2.0)};
     if (scene.name == "din-secondary-10")
-        return {bob_peer(scene, 5, true, 1.5), bob_peer(scene, 10, true, 4.0),
-                bob_peer(scene, 20, true, 40.0)};
+        return {bob_peer(scene, 5, relaxed_simplec, 1.5), bob_peer(scene, 10, relaxed_simplec, 4.0),
+                bob_peer(scene, 20, relaxed_simplec, 40.0)};
     if (scene.name == "din-secondary-100")
-        return {bob_peer(scene, 5, true, 4.0), bob_peer(scene, 10, true, 20.0),
-                bob_peer(scene, 20, true, 100.0)};
+        return {bob_peer(scene, 5, relaxed_simplec, 4.0),
+                bob_peer(scene, 10, relaxed_simplec, 20.0),
+                bob_peer(scene, 20, relaxed_simplec, 100.0)};
     if (scene.name == "taylor-vortices")
         return {vortex_peer(scene, 16, 0.02, 5.0), vortex_peer(scene, 32, 0.01, 40.0)};
     return {};

@@ -128,6 +128,8 @@ std::string control_entry(const fs::path& folder, const std::string& key) {
     return "";
 }
 
+std::string name_of_iteration(double iteration) { return fmt::format("{:.0f}", iteration); }
+
 std::vector<std::string> times_in(const fs::path& folder) {
     std::vector<std::string> names;
     for (const auto& [value, name] : time_folders(folder))

@@ -20,6 +20,9 @@ void set_control(const std::filesystem::path& folder, const std::string& key,
 [[nodiscard]] std::string control_entry(const std::filesystem::path& folder,
                                         const std::string& key);
 
+/// Name of the time folder of an iteration.
+[[nodiscard]] std::string name_of_iteration(double iteration);
+
 /// Names of the time folders that hold a velocity, in the order of time.
 /// @param folder  a case, or one of its processor folders
 [[nodiscard]] std::vector<std::string> times_in(const std::filesystem::path& folder);

@@ -68,16 +68,16 @@ long iterations_at(const Scene& scene, double speed, long fewest) {
     if (is_newtonian(scene) || speed == 0.0)
         return fewest;
     const laws::flow::AnyFlowLaw& law = scene.fluid.law;
+    const long most = enough_with_plug(scene.solver.accuracy);
+    // Around ends the fluid comes to rest.
+    if (has_ends(scene) && laws::flow::yield_stress(law) > 0.0)
+        return most;
     const radial::SteadyInstrumentFlow flow =
         radial::steady_instrument_flow(scene.instrument, law, speed);
-    const long most = enough_with_plug(scene.solver.accuracy);
     RateSpan span = span_of(scene.instrument, law, flow.rotor_wall_rate);
-    if (has_ends(scene)) { // around which the fluid comes to rest
-        if (laws::flow::yield_stress(law) > 0.0)
-            return most;
-        constexpr double part_at_rest = 1e-6;
+    constexpr double part_at_rest = 1e-6;
+    if (has_ends(scene))
         span.least *= part_at_rest;
-    }
     if (flow.partly_sheared || span.least <= 0.0)
         return most;
     double left = 0.0; // of an error, after an iteration

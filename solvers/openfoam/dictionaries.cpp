@@ -30,13 +30,10 @@ bool turns(const geometry::Patch& patch) {
 std::vector<std::pair<double, double>> speed_table(const CaseFacts& facts) {
     std::vector<std::pair<double, double>> table;
     if (facts.plan.steady) {
-        double start = 0.0;
         for (std::size_t row = 0; row < facts.plan.speeds.speeds.size(); ++row) {
             const double speed = facts.plan.speeds.speeds[row];
-            const double end = end_of_row(facts.plan, row);
-            table.emplace_back(start + (start > 0.0 ? 0.5 : 0.0), speed);
-            table.emplace_back(end, speed);
-            start = end;
+            table.emplace_back(start_of_row(facts.plan, row) + (row > 0 ? 0.5 : 0.0), speed);
+            table.emplace_back(end_of_row(facts.plan, row), speed);
         }
         return table;
     }

@@ -33,11 +33,16 @@ const geometry::ConcentricCylinders* eccentric_gap(const Scene& scene) {
                : nullptr;
 }
 
+/// Whether the flow is the same at every height: without ends, vortices and offset.
+bool is_slice(const Scene& scene, bool has_vortices) {
+    return is_endless(scene) && !has_vortices && eccentric_gap(scene) == nullptr;
+}
+
 /// Whether a protocol in time is solved as steady rows: in a section, where steps far beyond the
 /// cells' diffusion times are dear and may diverge, and where what inertia may do takes no more
 /// than half of the accuracy.
 bool is_quasi_steady(const Scene& scene, const Plan& plan) {
-    if (scene.profile || plan.vortices || (is_endless(scene) && eccentric_gap(scene) == nullptr))
+    if (scene.profile || plan.vortices || is_slice(scene, plan.vortices))
         return false;
     return std::ranges::all_of(plan.rows, [&scene](const RowForecast& row) {
         return row.speed != 0.0 && left_out_inertia(scene, row) <= 0.5 * scene.solver.accuracy;
@@ -120,8 +125,7 @@ void find_swirl(const Scene& scene, const Plan& plan, FoamPlan& foam) {
     const geometry::MeshSettings mesh = mesh_settings(scene, foam, 0);
     foam.end_flow_left_out = leaves_out_end_flow(scene, plan);
     const auto cells = mesh.cells.value_or(geometry::CellStyle::hexahedra);
-    const bool is_slice = is_endless(scene) && !foam.vortices && eccentric_gap(scene) == nullptr &&
-                          !mesh.floor_clearance;
+    const bool is_endless_mesh = is_slice(scene, foam.vortices) && !mesh.floor_clearance;
     const bool one_cell_high = mesh.axial_cells.value_or(mesh.slice_height ? 1 : 0) == 1 &&
                                cells == geometry::CellStyle::hexahedra;
     foam.one_cell_along = mesh.angular_cells.value_or(1) == 1 &&
@@ -130,9 +134,9 @@ void find_swirl(const Scene& scene, const Plan& plan, FoamPlan& foam) {
     foam.skew_cells =
         geometry::has_ends(scene.instrument) || cells != geometry::CellStyle::hexahedra;
     if (foam.one_cell_along)
-        foam.swirl_alone = is_slice || foam.end_flow_left_out;
+        foam.swirl_alone = is_endless_mesh || foam.end_flow_left_out;
     else
-        foam.swirl_alone = ((is_slice && one_cell_high) || foam.end_flow_left_out) &&
+        foam.swirl_alone = ((is_endless_mesh && one_cell_high) || foam.end_flow_left_out) &&
                            !foam.steady && foam.application == FoamApplication::pimple_foam;
 }
 
@@ -224,17 +228,20 @@ void choose_mesh(const Scene& scene, FoamPlan& foam) {
         return;
     }
     const auto* eccentric = eccentric_gap(scene);
-    const bool is_slice = is_endless(scene) && !foam.vortices && eccentric == nullptr;
-    const bool is_section = !is_slice && !foam.vortices && eccentric == nullptr;
-    const bool is_wedge =
-        is_box(scene) || geometry::extent_of(scene.mesh) == geometry::MeshExtent::wedge;
     // Of a section each level costs four times the one before, in time eight times; of a wedge in
     // time, which few cells cover, twice.
-    foam.levels = is_section                 ? (foam.steady ? 4 : 3)
-                  : !is_slice                ? (foam.steady ? 3 : 2)
-                  : foam.steady || !is_wedge ? 4
-                                             : 6;
-    foam.coarsest_cells = foam.vortices ? 14 : is_section ? 5 : is_slice ? 20 : 10;
+    if (is_slice(scene, foam.vortices)) {
+        const bool is_wedge =
+            is_box(scene) || geometry::extent_of(scene.mesh) == geometry::MeshExtent::wedge;
+        foam.levels = foam.steady || !is_wedge ? 4 : 6;
+        foam.coarsest_cells = 20;
+    } else if (foam.vortices || eccentric != nullptr) {
+        foam.levels = foam.steady ? 3 : 2;
+        foam.coarsest_cells = foam.vortices ? 14 : 10;
+    } else {
+        foam.levels = foam.steady ? 4 : 3;
+        foam.coarsest_cells = 5;
+    }
     if (eccentric != nullptr)
         foam.coarsest_angular_cells = coarsest_angular_cells(scene, *eccentric, foam.levels);
 }

@@ -81,6 +81,11 @@ inline constexpr double writes_in_a_run = 20.0;
                : static_cast<double>(plan.row_ends[row]);
 }
 
+/// The same with which it starts: that with which the row before ends.
+[[nodiscard]] inline double start_of_row(const FoamPlan& plan, std::size_t row) {
+    return row == 0 ? 0.0 : end_of_row(plan, row - 1);
+}
+
 /// The name of the program.
 [[nodiscard]] std::string_view name_of(FoamApplication application);
 

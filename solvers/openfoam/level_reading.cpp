@@ -80,7 +80,7 @@ public:
           all_(load_history(task.folder / "postProcessing" / object, level.component())) {}
 
     [[nodiscard]] std::vector<LoadSample> of(std::size_t row) const {
-        const double start = row == 0 ? 0.0 : end_of_row(task_.plan, row - 1);
+        const double start = start_of_row(task_.plan, row);
         const double end = end_of_row(task_.plan, row);
         const bool is_finished = runs_row_by_row(task_.plan)
                                      ? row_is_finished(task_, row)
@@ -135,8 +135,7 @@ void read_steady(const LevelTask& task, const LevelCase& level, LevelResult& res
 } // namespace
 
 bool row_is_finished(const LevelTask& task, std::size_t row) {
-    const std::string end =
-        fmt::format("{}", (row + 1) * static_cast<std::size_t>(task.plan.iterations));
+    const std::string end = name_of_iteration(end_of_row(task.plan, row));
     std::error_code missing;
     return fs::exists(task.folder / end / "U", missing) ||
            fs::exists(task.folder / "processor0" / end / "U", missing);

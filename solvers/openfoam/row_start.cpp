@@ -2,8 +2,6 @@
 
 #include "solvers/openfoam/case_folder.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <system_error>
 
@@ -11,17 +9,11 @@ namespace searle::solvers::openfoam {
 
 namespace fs = std::filesystem;
 
-std::string RowStart::before() const {
-    return fmt::format("{}", row * static_cast<std::size_t>(plan.iterations));
-}
+std::string RowStart::before() const { return name_of_iteration(start_of_row(plan, row)); }
 
-std::string RowStart::mapped() const {
-    return fmt::format("{}", row * static_cast<std::size_t>(plan.iterations) + 1);
-}
+std::string RowStart::mapped() const { return name_of_iteration(start_of_row(plan, row) + 1.0); }
 
-std::string RowStart::end() const {
-    return fmt::format("{}", (row + 1) * static_cast<std::size_t>(plan.iterations));
-}
+std::string RowStart::end() const { return name_of_iteration(end_of_row(plan, row)); }
 
 bool RowStart::can_be_mapped() const {
     std::error_code missing;

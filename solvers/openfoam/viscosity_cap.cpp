@@ -67,15 +67,13 @@ void choose_cap(const Scene& scene, const Plan& plan, FoamPlan& foam) {
         const double rate = std::abs(plan.rows[row].shear_rate);
         const bool in_gap = plan.rows[row].regime.find("partly-sheared") != std::string::npos ||
                             rate < 10.0 * cap_rate;
-        if (in_gap || rests_at_ends)
+        // Nothing tells what a cap below the viscosity of what is sheared does.
+        if (rate != 0.0 && viscosity(rate) > foam.viscosity_cap)
+            foam.cap_error[row] = 1.0;
+        else if (in_gap || rests_at_ends)
             foam.cap_error[row] =
                 std::min(1.0, (in_gap ? 1.0 : share_of_ends) * claimed * cap_rate / rate);
     }
-    // Nothing tells what a cap below the viscosity of what is sheared does.
-    for (std::size_t row = 0; row < plan.rows.size(); ++row)
-        if (plan.rows[row].shear_rate != 0.0 &&
-            viscosity(std::abs(plan.rows[row].shear_rate)) > foam.viscosity_cap)
-            foam.cap_error[row] = 1.0;
 }
 
 } // namespace searle::solvers::openfoam
