@@ -109,16 +109,15 @@ int viscosity_corrections(const laws::flow::AnyFlowLaw& law) {
 /// measured around the ISO bob in water: 9 times the residual of the velocity along the axis at
 /// omega R^2 / nu of 147, 42 times at 1466; from a flow at rest, in the end, it falls by e in
 /// 14.5 sqrt(omega R^2 / nu) iterations, whatever the mesh and the relaxation. The row ends where
-/// that is a twentieth of the accuracy.
+/// that is unsettled_part.
 double residual_of_rows(const Scene& scene, const Plan& plan) {
     double reynolds = 0.0;
     for (const RowForecast& row : plan.rows)
         reynolds = std::max(reynolds, row.end_reynolds);
     // Nothing tells that of other scenes, nor how a viscosity that depends on the rate delays it.
-    const double moves =
-        reynolds > 0.0 && is_newtonian(scene) ? std::max(4.0, 1.1 * std::sqrt(reynolds)) : 5000.0;
-    constexpr double share = 0.05;
-    return std::max(1e-10, share * scene.solver.accuracy / moves);
+    const bool is_known = reynolds > 0.0 && is_newtonian(scene) && !scene.profile;
+    const double moves = is_known ? std::max(4.0, 1.1 * std::sqrt(reynolds)) : 5000.0;
+    return std::max(1e-10, unsettled_part(scene.solver.accuracy) / moves);
 }
 
 } // namespace

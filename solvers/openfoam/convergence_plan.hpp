@@ -2,12 +2,19 @@
 
 #include "solvers/openfoam/foam_plan.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace searle::solvers::openfoam {
 
 /// The law's n: where it has one d ln stress / d ln rate far from its bends, else 1.
 [[nodiscard]] double flow_index_of(const laws::flow::AnyFlowLaw& law);
+
+/// What a steady row may still move when its residual ends it, over its torque: a twentieth of the
+/// accuracy, and half of what the balance of its two torques may lack (0.2 %).
+[[nodiscard]] constexpr double unsettled_part(double accuracy) {
+    return 0.05 * std::min(accuracy, 0.02);
+}
 
 /// Sets how often the corrections of a time step are repeated, the relaxation, and the residual
 /// with which a steady row ends.

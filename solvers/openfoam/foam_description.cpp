@@ -50,12 +50,13 @@ void describe(const Scene& scene, const FoamPlan& foam, Plan& plan) {
     plan.model_reason = fmt::format(
         "OpenFOAM's {}: {}; {}; {} to {} cells across the gap{}.", name_of(foam.application),
         foam.application_reason,
-        is_box(scene)                                ? "one cell along the flow and the width"
-        : foam.coarsest_angular_cells > 0            ? "the whole turn, one cell high"
-        : foam.swirl_alone && foam.end_flow_left_out ? "the mesh of searle mesh, the swirl alone"
-        : foam.swirl_alone && foam.one_cell_along    ? "a wedge one cell thick and one cell high"
-        : foam.swirl_alone                           ? "a sector or the whole turn, one cell high"
-                                                     : "the mesh of searle mesh",
+        is_box(scene)                     ? "one cell along the flow and the width"
+        : foam.coarsest_angular_cells > 0 ? "the whole turn, one cell high"
+        : foam.end_flow_left_out          ? "the mesh of searle mesh, the swirl alone"
+        : !foam.swirl_alone               ? "the mesh of searle mesh"
+        : !foam.one_cell_along            ? "a sector or the whole turn, one cell high"
+        : foam.skew_cells                 ? "a wedge of prisms, the swirl alone"
+                                          : "a wedge one cell thick and one cell high",
         mesh_settings(scene, foam, 0).cells_across_gap.value_or(0),
         mesh_settings(scene, foam, foam.levels - 1).cells_across_gap.value_or(0),
         foam.steady ? ""
@@ -81,11 +82,18 @@ void describe(const Scene& scene, const FoamPlan& foam, Plan& plan) {
                          foam.viscosity_cap,
                          100.0 * std::ranges::max(foam.cap_error.empty() ? std::vector{0.0}
                                                                          : foam.cap_error))});
+    const bool has_section = scene.profile || geometry::has_ends(scene.instrument);
+    if (scene.solver.secondary_flow == Switch::off && has_section && !foam.end_flow_left_out)
+        plan.warnings.push_back(fmt::format(
+            "solver.secondary_flow = false has no effect here: {} solves for the secondary flow{}.",
+            name_of(foam.application),
+            scene.profile ? "" : "; pimpleFoam in a wedge leaves it out"));
     const double across = mesh_settings(scene, foam, 1).cells_across_gap.value_or(40);
     const double cells =
         across * (foam.vortices                                           ? across
-                  : scene.profile || geometry::has_ends(scene.instrument) ? 15.0 * across
+                  : has_section                       ? 15.0 * across
                   : foam.coarsest_angular_cells > 0 ? 2.0 * foam.coarsest_angular_cells
+                  : foam.skew_cells                 ? 2.0 * across
                                                     : 1.0);
     const double rows = static_cast<double>(foam.speeds.speeds.size());
     const double steps = runs_row_by_row(foam) ? 2000.0 * rows

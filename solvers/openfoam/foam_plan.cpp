@@ -123,7 +123,7 @@ bool leaves_out_end_flow(const Scene& scene, const Plan& plan) {
 /// in two.
 void find_swirl(const Scene& scene, const Plan& plan, FoamPlan& foam) {
     const geometry::MeshSettings mesh = mesh_settings(scene, foam, 0);
-    foam.end_flow_left_out = leaves_out_end_flow(scene, plan);
+    foam.end_flow_left_out = leaves_out_end_flow(scene, plan); // where the program can
     const auto cells = mesh.cells.value_or(geometry::CellStyle::hexahedra);
     const bool is_endless_mesh = is_slice(scene, foam.vortices) && !mesh.floor_clearance;
     const bool one_cell_high = mesh.axial_cells.value_or(mesh.slice_height ? 1 : 0) == 1 &&
@@ -133,11 +133,17 @@ void find_swirl(const Scene& scene, const Plan& plan, FoamPlan& foam) {
                           (is_box(scene) || extent_of(mesh) == geometry::MeshExtent::wedge);
     foam.skew_cells =
         geometry::has_ends(scene.instrument) || cells != geometry::CellStyle::hexahedra;
-    if (foam.one_cell_along)
-        foam.swirl_alone = is_endless_mesh || foam.end_flow_left_out;
-    else
+    // Steady rows of a wedge, left to this plan, become pimpleFoam's (choose_time).
+    const bool may_leave_pressure = foam.application == FoamApplication::pimple_foam ||
+                                    (foam.one_cell_along && !scene.solver.application);
+    if (!foam.one_cell_along)
         foam.swirl_alone = ((is_endless_mesh && one_cell_high) || foam.end_flow_left_out) &&
-                           !foam.steady && foam.application == FoamApplication::pimple_foam;
+                           !foam.steady && may_leave_pressure;
+    else if (is_endless_mesh && !foam.skew_cells)
+        foam.swirl_alone = true;
+    else
+        foam.swirl_alone = (is_endless_mesh || foam.end_flow_left_out) && may_leave_pressure;
+    foam.end_flow_left_out = foam.end_flow_left_out && foam.swirl_alone;
 }
 
 void choose_time(const Scene& scene, const Plan& plan, FoamPlan& foam) {
@@ -164,8 +170,8 @@ void choose_time(const Scene& scene, const Plan& plan, FoamPlan& foam) {
                 foam.relaxation = 0.0;
             } else if (foam.application == FoamApplication::pimple_foam) {
                 throw UnsuitableScene(
-                    "solver.application = \"pimpleFoam\" has steady rows in a wedge one cell high "
-                    "alone; of this mesh: simpleFoam, or a hold in seconds");
+                    "solver.application = \"pimpleFoam\" has steady rows of the swirl alone, in a "
+                    "wedge; of this flow or mesh: simpleFoam, or a hold in seconds");
             }
             return;
         }

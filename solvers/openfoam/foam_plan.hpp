@@ -31,8 +31,8 @@ struct FoamPlan {
     /// Nothing but the swirl (a box: the velocity along the flow) is to be found: no pressure acts
     /// on it, and pimpleFoam corrects none.
     bool swirl_alone{};
-    /// The secondary flow at a rotor's ends matters too little to be solved for; where it is not,
-    /// its estimate is in the error bars.
+    /// The secondary flow at a rotor's ends matters too little to be solved for, or the case
+    /// leaves it out, and the program does: swirl_alone.
     bool end_flow_left_out{};
     /// The mesh is a wedge, or a box one cell long: no periodic sides that a correction late sees.
     bool one_cell_along{};

@@ -73,6 +73,7 @@ private:
     }
 
     int start(std::vector<std::string> command, const std::string& stage) {
+        is_solving_ = stage == application();
         return run_program({.command = std::move(command),
                             .folder = task_.folder,
                             .log = task_.folder / ("log." + stage),
@@ -131,7 +132,7 @@ private:
 
     void run_rows(LevelResult& result) {
         const auto rows = task_.plan.speeds.speeds.size();
-        for (row_ = 0; row_ < rows && !result.interrupted && result.failure.empty(); ++row_) {
+        for (row_ = 0; row_ < rows; ++row_) {
             if (row_is_finished(task_, row_))
                 continue;
             const RowStart from{.plan = task_.plan,
@@ -139,15 +140,23 @@ private:
                                 .coarser = task_.coarser,
                                 .places = field_places(),
                                 .row = row_};
+            map_start(from);
+            if (stop_asked_) {
+                result.interrupted = true;
+                return;
+            }
+            prepare_start();
             set_control(task_.folder, "endTime", from.end());
             set_control(task_.folder, "stopAt", "endTime");
+            set_control(task_.folder, "writeInterval",
+                        fmt::format("{:.17g}", std::stod(from.end()) - std::stod(start_)));
             is_settled_ = false;
-            map_start(from);
-            prepare_start();
             note_end(start(solver_command(), application()), result);
             if (result.interrupted || !result.failure.empty())
                 return;
             settle_row(from.end());
+            if (!row_is_finished(task_, row_)) // told by the torques that are missing
+                return;
             from.clear();
         }
     }
@@ -157,17 +166,24 @@ private:
         if (!from.can_be_mapped())
             return;
         from.prepare();
-        if (start(from.command(), "mapFields") != 0) {
-            from.clear();
-            fail_if_disk_is_full("mapFields");
+        int code = 0;
+        try {
+            code = start(from.command(), "mapFields");
+        } catch (const StartFailure&) {
+            code = -1; // an installation without it
         }
+        if (code != 0 || stop_asked_)
+            from.clear();
+        if (code != 0 && !stop_asked_)
+            fail_if_disk_is_full("mapFields");
     }
 
-    /// A row that converged early stands where the next one starts.
+    /// A row that converged early stands where the next one starts. Fields without a flux are not
+    /// what the solver wrote.
     void settle_row(const std::string& end) {
         for (const fs::path& place : field_places()) {
             const std::vector<std::string> times = times_in(place);
-            if (!times.empty() && times.back() != end)
+            if (!times.empty() && times.back() != end && fs::exists(place / times.back() / "phi"))
                 fs::rename(place / times.back(), place / end);
         }
     }
@@ -203,7 +219,7 @@ private:
             return;
         }
         try {
-            if (now - last_look_ > std::chrono::milliseconds(500)) {
+            if (is_solving_ && now - last_look_ > std::chrono::milliseconds(500)) {
                 last_look_ = now;
                 look();
             }
@@ -259,6 +275,7 @@ private:
     const ProgressSink& progress_;
     std::size_t row_ = 0;
     std::string start_ = "0"; ///< time that the program running started from
+    bool is_solving_ = false; ///< the program running is the solver
     bool is_settled_ = false; ///< the row was told to end
     double fraction_ = 0.0;
     std::string stage_ = "openfoam";

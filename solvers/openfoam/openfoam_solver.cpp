@@ -116,8 +116,7 @@ rheometry::TorqueHistory history_of(const Scene& scene, const Plan& plan, const 
         }
         if (foam.hold > 0.0)
             error += hold_share * scene.solver.accuracy * std::abs(torque);
-        if (foam.end_flow_left_out && foam.swirl_alone &&
-            scene.solver.secondary_flow == Switch::automatic)
+        if (foam.end_flow_left_out && scene.solver.secondary_flow == Switch::automatic)
             error += left_out_margin * plan.rows[row].end_flow_share * std::abs(torque);
         if (foam.quasi_steady)
             error += left_out_inertia(scene, plan.rows[row]) * std::abs(torque);

@@ -64,8 +64,9 @@ for row in $(seq 1 {rows}); do
     before=$end
     end=$((row * {iterations}))
     [ -d {first_place}$end ] && continue
-    sed -i -e "s/^endTime .*/endTime         $end;/" -e "s/^stopAt .*/stopAt          endTime;/" system/controlDict
 {map}    prepare_start
+    sed -i -e "s/^endTime .*/endTime         $end;/" -e "s/^stopAt .*/stopAt          endTime;/" \
+        -e "s/^writeInterval .*/writeInterval   $((end - start));/" system/controlDict
     watch_row $start &
     watch=$!
     code=0
@@ -76,6 +77,7 @@ for row in $(seq 1 {rows}); do
     # a row that ended early stands where the next one starts
     for place in {places}; do
         last=$(ls "$place" | grep -E '^[0-9]+$' | sort -n | tail -n 1)
+        [ -f "$place/$last/phi" ] || {{ echo "$place/$last: not what {application} wrote" >&2; exit 1; }}
         [ "$last" = "$end" ] || mv "$place/$last" "$place/$end"
     done
 {clear}done

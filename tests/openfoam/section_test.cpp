@@ -2,7 +2,10 @@
 
 #include "laws/gap/eccentric_cylinders.hpp"
 #include "solvers/openfoam/installation.hpp"
+#include "solvers/openfoam/level_run.hpp"
 #include "solvers/openfoam/moment_file.hpp"
+
+#include <fmt/format.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -24,11 +27,23 @@ protected:
         return solvers::openfoam::load_history(folder / level / "postProcessing/torque_bob",
                                                solvers::openfoam::LoadComponent::moment_z);
     }
-    void write_water_row() {
+    /// @param solver  further lines of [solver]
+    void write_water_row(const std::string& accuracy = "0.02", const std::string& solver = "") {
         write_text(folder / "water.toml", "[geometry]\n" + din_bob + "[fluid]\n" + water +
                                               "[protocol]\ntype = \"steps\"\nangular_velocities "
                                               "= [\"0.7504 rad/s\"]\n[solver]\nengine = "
-                                              "\"openfoam\"\naccuracy = 0.02\n");
+                                              "\"openfoam\"\naccuracy = " +
+                                              accuracy + "\n" + solver);
+    }
+    /// Runs the row, which must end well and lie within its bar of the native engine's at 1e-4:
+    /// 1.10749 times the endless bob's (tests/solvers).
+    void run_water_row() {
+        const Outcome outcome =
+            run({.arguments = {"run", "water.toml", "-o", "water", "--quiet"},
+                 .directory = folder.path()});
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        const auto row = rheogram_in(folder / "water").points.at(0);
+        EXPECT_NEAR(row.torque, 5.6775e-7, 5.6775e-7 * row.stress_error / row.shear_stress);
     }
 };
 
@@ -53,17 +68,81 @@ TEST_F(OpenFoamSection, a_slurry_around_a_bob_is_right_within_its_bar) {
 
 TEST_F(OpenFoamSection, water_with_secondary_flow_starts_from_the_level_before) {
     write_water_row();
-    const Outcome outcome = run(
-        {.arguments = {"run", "water.toml", "-o", "water", "--quiet"}, .directory = folder.path()});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    const auto row = rheogram_in(folder / "water").points.at(0);
-    // The native engine's at 1e-4: 1.10749 times the endless bob's (tests/solvers).
-    EXPECT_NEAR(row.torque, 5.6775e-7, 5.6775e-7 * row.stress_error / row.shear_stress);
+    run_water_row();
     // From rest it takes as many iterations on every mesh.
     const auto first = loads("water.openfoam/level-1").size();
     const auto second = loads("water.openfoam/level-2").size();
     EXPECT_LT(2 * second, first);
     EXPECT_FALSE(std::filesystem::exists(folder / "water.openfoam/level-2/1"));
+}
+
+TEST_F(OpenFoamSection, rows_balance_however_little_accuracy_is_asked_for) {
+    write_water_row("0.1");
+    run_water_row();
+}
+
+TEST_F(OpenFoamSection, a_program_that_solves_for_the_pressure_has_the_secondary_flow) {
+    write_water_row("0.02", "secondary_flow = false\napplication = \"simpleFoam\"\n");
+    run_water_row();
+    EXPECT_NE(text_of(folder / "water/summary.json").find("secondary_flow = false has no effect"),
+              std::string::npos);
+}
+
+/// PATH starts with a folder that has a `mapFields` of another making.
+class OtherMapFields {
+public:
+    explicit OtherMapFields(const std::string& script) {
+        const std::filesystem::path program = folder_ / "mapFields";
+        write_text(program, "#!/bin/sh\n" + script);
+        std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+        setenv("PATH", (folder_.path().string() + ':' + path_).c_str(), 1);
+    }
+    ~OtherMapFields() { setenv("PATH", path_.c_str(), 1); }
+    OtherMapFields(const OtherMapFields&) = delete;
+    OtherMapFields& operator=(const OtherMapFields&) = delete;
+
+private:
+    TemporaryFolder folder_;
+    std::string path_ = std::getenv("PATH");
+};
+
+TEST_F(OpenFoamSection, the_row_before_does_not_end_a_row_that_is_being_mapped) {
+    write_water_row();
+    const OtherMapFields slow("sleep 3\nPATH=${PATH#*:} exec mapFields \"$@\"\n");
+    run_water_row();
+    EXPECT_TRUE(std::filesystem::exists(folder / "water.openfoam/level-2/log.mapFields"));
+    EXPECT_GT(loads("water.openfoam/level-2").size(), 10u);
+}
+
+TEST_F(OpenFoamSection, a_row_that_cannot_be_mapped_starts_from_rest) {
+    write_water_row();
+    const OtherMapFields broken("exit 1\n");
+    run_water_row();
+    EXPECT_GT(2 * loads("water.openfoam/level-2").size(), loads("water.openfoam/level-1").size());
+}
+
+TEST_F(OpenFoamSection, a_mapped_row_that_reaches_its_last_iteration_leaves_its_own_fields) {
+    using namespace solvers;
+    Scene scene;
+    scene.instrument = geometry::DinBob{0.014, 0.0152};
+    scene.fluid = {laws::flow::Newtonian{1.0016e-3}, 998.2};
+    scene.protocol.program = rheometry::Steps{{{0.7504, rheometry::SpeedKind::drive}}, {}};
+    scene.solver.engine = Engine::openfoam;
+    scene.solver.accuracy = 0.02;
+    openfoam::FoamPlan plan = openfoam::plan_foam(scene, make_plan(scene));
+    plan.iterations = 60; // from rest it takes hundreds
+    const auto installation = *openfoam::find_installation();
+    const auto level = [&](int number) {
+        return openfoam::run_level({scene, plan, number, folder / fmt::format("level-{}", number),
+                                    installation,
+                                    number > 0 ? folder / "level-0" : std::filesystem::path{}},
+                                   [](double, std::string_view) {});
+    };
+    EXPECT_EQ(level(0).torque.size(), 1u);
+    EXPECT_EQ(level(1).torque.size(), 1u);
+    EXPECT_TRUE(std::filesystem::exists(folder / "level-1/log.mapFields"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "level-1/60/phi"));
+    EXPECT_EQ(loads("level-1").size(), 59u); // the first stands for what was mapped
 }
 
 TEST_F(OpenFoamSection, rows_run_by_hand_start_from_the_level_before_as_well) {

@@ -11,6 +11,7 @@ using rheometry::Ramp;
 using rheometry::Steps;
 using testing::item;
 using testing::rate;
+using testing::warns_of;
 using testing::water_ramp;
 
 TEST(Plan, openfoam_says_which_program_mesh_and_step) {
@@ -56,6 +57,44 @@ TEST(Plan, openfoam_solves_a_profile_with_its_pressure) {
     const Plan plan = make_plan(scene);
     EXPECT_EQ(plan.model, "openfoam simpleFoam");
     EXPECT_NE(plan.model_reason.find("5 to 40 cells"), std::string::npos) << plan.model_reason;
+}
+
+TEST(Plan, openfoam_leaves_the_secondary_flow_out_only_where_the_program_can) {
+    Scene scene = water_ramp();
+    scene.solver.engine = Engine::openfoam;
+    scene.solver.secondary_flow = Switch::off;
+    scene.instrument = geometry::DinBob{0.014, 0.0152};
+    const auto foam = [&scene] { return openfoam::plan_foam(scene, make_plan(scene)); };
+    const std::string says = "secondary_flow = false has no effect";
+    EXPECT_TRUE(foam().swirl_alone);
+    EXPECT_TRUE(foam().end_flow_left_out);
+    EXPECT_FALSE(warns_of(make_plan(scene), says));
+    scene.solver.application = FoamApplication::piso_foam;
+    EXPECT_FALSE(foam().swirl_alone);
+    EXPECT_FALSE(foam().end_flow_left_out);
+    EXPECT_TRUE(warns_of(make_plan(scene), says));
+    // Around the whole turn steady rows are simpleFoam's.
+    scene.solver.application.reset();
+    scene.protocol.program = Steps{{rate(100.0)}, {}};
+    EXPECT_TRUE(foam().swirl_alone);
+    scene.solver.model = Model::three_dimensional;
+    EXPECT_FALSE(foam().swirl_alone);
+    EXPECT_LT(foam().relaxation, 0.99);
+    EXPECT_TRUE(warns_of(make_plan(scene), says));
+}
+
+TEST(Plan, openfoam_settles_rows_within_the_balance_limit) {
+    Scene scene = water_ramp();
+    scene.solver.engine = Engine::openfoam;
+    scene.instrument = geometry::DinBob{0.014, 0.0152};
+    scene.protocol.program = Steps{{rate(10.0)}, {}};
+    const auto residual_at = [&scene](double accuracy) {
+        scene.solver.accuracy = accuracy;
+        scene.solver.secondary_flow = Switch::on;
+        return openfoam::plan_foam(scene, make_plan(scene)).residual;
+    };
+    EXPECT_DOUBLE_EQ(residual_at(0.2), residual_at(0.02));
+    EXPECT_NEAR(residual_at(0.002), 0.1 * residual_at(0.02), 1e-12);
 }
 
 // Scene 34 of seed 61 of `searle stress openfoam`: the viscosity at a low rate, where next to
