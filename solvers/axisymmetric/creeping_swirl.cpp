@@ -81,7 +81,6 @@ CreepingSwirl creeping_swirl(const SectionShape& shape, const laws::flow::AnyFlo
     double rounding = law.homogeneity() == 2.0 ? strategy.rounding : 1.0;
     double target = strategy.rounding;
     double before = 0.0;
-    double work = 0.0;
     auto level = std::make_unique<SwirlLevel>(
         shape, graded_lines(shape, {.smallest = strategy.smallest, .ratio = ratio}),
         strategy.degree, strategy.degree + strategy.extra_points);
@@ -112,10 +111,10 @@ CreepingSwirl creeping_swirl(const SectionShape& shape, const laws::flow::AnyFlo
         // The next level has about twice the unknowns, and rarely needs fewer steps.
         const double last_work =
             static_cast<double>(level->steps()) * static_cast<double>(level->unknowns());
-        work += last_work;
+        result.work += last_work;
         const bool may_go_on = depth + 1 < settings.most_levels &&
                                level->unknowns() <= settings.most_unknowns &&
-                               work + 2.0 * last_work <= settings.most_work;
+                               result.work + 2.0 * last_work <= settings.most_work;
         const double goal = settings.accuracy * middle;
         if ((settings.certified ? 2.0 * half_bracket : error) <= 0.95 * goal || !may_go_on) {
             const SwirlEnergies fine = level->energies(law, level->points() + check_points);

@@ -39,6 +39,7 @@ struct CreepingTorque {
     int levels{};
     int elements{};           ///< of the finest level
     int newton_steps{};       ///< over all levels and both fields
+    double work{};            ///< over all levels, as CreepingSettings::most_work
     long unknowns{};          ///< of the finest level, both fields
     SectionDivision division; ///< of the finest level
 };

@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t most_direct = 9;
 constexpr int first_degree = 4;
 constexpr int last_degree = 64;
+constexpr double share_after = 0.1; ///< of the work of one solution, once all took too much
 
 bool is_homogeneous(const laws::flow::AnyFlowLaw& law) {
     return std::holds_alternative<laws::flow::Newtonian>(law) ||
@@ -22,8 +23,9 @@ bool is_homogeneous(const laws::flow::AnyFlowLaw& law) {
 
 EndFactorCurve::EndFactorCurve(const SectionShape& shape, const laws::flow::AnyFlowLaw& law,
                                std::span<const double> speeds, double accuracy,
-                               const ProgressSink& progress)
-    : shape_(shape), law_(law), accuracy_(accuracy), progress_(progress) {
+                               const ProgressSink& progress, double most_work_at_ease)
+    : shape_(shape), law_(law), accuracy_(accuracy), most_work_at_ease_(most_work_at_ease),
+      progress_(progress) {
     try {
         solve_all(speeds);
     } catch (const Interrupted&) {
@@ -86,6 +88,9 @@ void EndFactorCurve::solve_all(std::span<const double> speeds) {
         if (interpolation_error_ <= 0.3 * accuracy_) {
             return;
         }
+        if (work_ > most_work_at_ease_) {
+            break;
+        }
     }
     reached_ = false;
 }
@@ -99,9 +104,12 @@ void EndFactorCurve::keep_whole_degree() {
 }
 
 void EndFactorCurve::solve(double speed) {
-    const double share = interpolates_ ? 0.5 : 1.0;
-    const CreepingTorque found =
-        creeping_torque(shape_, law_, speed, {.accuracy = share * accuracy_}, progress_);
+    CreepingSettings settings{.accuracy = (interpolates_ ? 0.5 : 1.0) * accuracy_};
+    if (work_ > most_work_at_ease_) {
+        settings.most_work *= share_after;
+    }
+    const CreepingTorque found = creeping_torque(shape_, law_, speed, settings, progress_);
+    work_ += found.work;
     const Solved solved{speed,
                         degree_,
                         {.end_factor = found.end_factor,

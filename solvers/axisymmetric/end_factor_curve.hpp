@@ -10,13 +10,17 @@ namespace searle::solvers::axisymmetric {
 
 /// c_L of one bob and fluid over a range of speeds, without inertia. A Newtonian or power-law fluid
 /// has one value; others are solved at each speed, or for many speeds at Chebyshev points of ln c_L
-/// over ln speed, whose number is doubled until the curve no longer moves.
+/// over ln speed, whose number is doubled until the curve no longer moves or the work is beyond its
+/// bound.
 class EndFactorCurve {
 public:
     /// @param speeds    rad/s; signs are left out, zeros are skipped
     /// @param accuracy  asked-for relative error of the torque
+    /// @param most_work_at_ease  as CreepingSettings::most_work, of all speeds, beyond which each
+    ///                  further one gets a tenth of what one may take: some twenty seconds
     EndFactorCurve(const SectionShape& shape, const laws::flow::AnyFlowLaw& law,
-                   std::span<const double> speeds, double accuracy, const ProgressSink& progress);
+                   std::span<const double> speeds, double accuracy, const ProgressSink& progress,
+                   double most_work_at_ease = 3.0 * CreepingSettings{}.most_work);
 
     struct Value {
         double end_factor = 1.0;
@@ -55,6 +59,7 @@ private:
     const SectionShape& shape_;
     const laws::flow::AnyFlowLaw& law_;
     double accuracy_;
+    double most_work_at_ease_;
     const ProgressSink& progress_;
     std::vector<Solved> solved_; ///< by growing speed; the Chebyshev points where interpolated
     bool interpolates_{};
@@ -65,6 +70,7 @@ private:
     int elements_{};
     int levels_{};
     long newton_steps_{};
+    double work_{}; ///< of all solutions
     long unknowns_{};
     SectionDivision division_;
     bool reached_ = true;

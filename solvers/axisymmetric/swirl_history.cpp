@@ -24,6 +24,9 @@ constexpr double element_ratio = 0.15;
 constexpr double first_size = 0.1;
 /// Tolerance of a step over the accuracy at the first level.
 constexpr double first_tolerance = 0.03;
+/// No less where a fluid yields: no number of levels brings the elements beyond an accuracy of some
+/// thirty times that, and steps within 1e-11 took minutes on the first.
+constexpr double least_first_tolerance = 1e-6;
 /// What changes from level to level. A yield surface moves through the middle of the gap: there the
 /// elements are what limits the torque, and neither those at the rotor nor the steps.
 struct Refinement {
@@ -295,7 +298,7 @@ SwirlHistory swirl_history(const SectionShape& shape, const laws::flow::AnyFlowL
     const bool yields = laws::flow::yield_stress(law) > 0.0;
     const Refinement& finer = yields ? yielding_flow : smooth_flow;
     SwirlStepper::Settings settings{
-        .tolerance = first_tolerance * accuracy,
+        .tolerance = std::max(first_tolerance * accuracy, yields ? least_first_tolerance : 0.0),
         .inertia = density * std::pow(shape.unit(), 2) * reference / scaled.stress_scale(),
         .rounding = (yields ? first_rounding : smooth_rounding) * wall_rate / reference};
     // No wider than the layer of momentum at the first row.

@@ -38,9 +38,8 @@ public:
             run_rows(result);
         else
             run_in_one(result);
-        if (is_parallel() && result.failure.empty() &&
-            start({"reconstructPar", "-latestTime"}, "reconstructPar") != 0)
-            fail_if_disk_is_full("reconstructPar");
+        if (is_parallel() && result.failure.empty())
+            reconstruct();
     }
     /// A program that found no room ends in any way, or not at all.
     void fail_if_disk_is_full(const std::string& program) const {
@@ -96,6 +95,15 @@ private:
             throw UnsuitableScene(fmt::format("decomposePar failed: {}",
                                               (task_.folder / "log.decomposePar").string()));
         }
+    }
+
+    /// Rows that are runs of their own all stay: those of the next level start from them.
+    void reconstruct() {
+        std::vector<std::string> command{"reconstructPar"};
+        if (!runs_row_by_row(task_.plan))
+            command.emplace_back("-latestTime");
+        if (start(command, "reconstructPar") != 0)
+            fail_if_disk_is_full("reconstructPar");
     }
 
     [[nodiscard]] std::vector<std::string> solver_command() const {
@@ -169,6 +177,8 @@ private:
         int code = 0;
         try {
             code = start(from.command(), "mapFields");
+            if (code == 0 && from.is_parallel() && !stop_asked_)
+                code = start(from.distribution(), "mapFields");
         } catch (const StartFailure&) {
             code = -1; // an installation without it
         }

@@ -17,32 +17,33 @@ std::string RowStart::end() const { return name_of_iteration(end_of_row(plan, ro
 
 bool RowStart::can_be_mapped() const {
     std::error_code missing;
-    return !coarser.empty() && std::ranges::all_of(places, [&](const fs::path& place) {
-        const fs::path source = coarser / place.lexically_relative(folder) / end() / "U";
-        const std::vector<std::string> times = times_in(place);
-        return fs::exists(source, missing) && !times.empty() && times.back() == before();
-    });
+    return !coarser.empty() && fs::exists(coarser / end() / "U", missing) &&
+           std::ranges::all_of(places, [&](const fs::path& place) {
+               const std::vector<std::string> times = times_in(place);
+               return !times.empty() && times.back() == before();
+           });
 }
 
 void RowStart::prepare() const {
-    for (const fs::path& place : places) {
-        fs::create_directories(place / mapped());
-        for (const char* field : {"U", "p"})
-            fs::copy_file(place / before() / field, place / mapped() / field,
-                          fs::copy_options::overwrite_existing);
-    }
+    fs::create_directories(folder / mapped());
+    for (const char* field : {"U", "p"})
+        fs::copy_file(folder / "0" / field, folder / mapped() / field,
+                      fs::copy_options::overwrite_existing);
 }
 
 std::vector<std::string> RowStart::command() const {
-    std::vector<std::string> words = {"mapFields", coarser.string(), "-consistent", "-sourceTime",
-                                      end()};
-    if (places.size() > 1 || places.front() != folder)
-        words.insert(words.end(), {"-parallelSource", "-parallelTarget"});
-    return words;
+    return {"mapFields", coarser.string(), "-consistent", "-sourceTime", end()};
+}
+
+bool RowStart::is_parallel() const { return places.size() > 1 || places.front() != folder; }
+
+std::vector<std::string> RowStart::distribution() const {
+    return {"decomposePar", "-fields", "-time", mapped()};
 }
 
 void RowStart::clear() const {
     std::error_code ignored;
+    fs::remove_all(folder / mapped(), ignored);
     for (const fs::path& place : places)
         fs::remove_all(place / mapped(), ignored);
 }

@@ -25,11 +25,15 @@ struct RowStart {
 
     /// Whether the row is at its start and the level before has solved it.
     [[nodiscard]] bool can_be_mapped() const;
-    /// Puts a copy of what the row before left, for mapFields to write over.
+    /// Puts fields with the conditions at the boundary, for mapFields to write over.
     void prepare() const;
-    /// The command of mapFields, run in `folder`.
+    /// The command of mapFields, run in `folder`: from whole to whole, since nothing is interpolated
+    /// between the parts of two processors.
     [[nodiscard]] std::vector<std::string> command() const;
-    /// Removes what was mapped: the row was solved, or mapFields failed.
+    [[nodiscard]] bool is_parallel() const;
+    /// The command, run in `folder`, that gives each processor its part of what was mapped.
+    [[nodiscard]] std::vector<std::string> distribution() const;
+    /// Removes what was mapped: the row was solved, or a command failed.
     void clear() const;
 };
 

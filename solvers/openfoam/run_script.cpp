@@ -36,22 +36,21 @@ std::string map_function(const CaseFacts& facts) {
 map_start() {{
     mapped=$((before + 1))
     latest=$(ls {first_place} | grep -E '^[0-9]+$' | sort -n | tail -n 1)
-    [ -f ../{coarser}/{first_place}/$end/U ] || return 0
+    [ -f ../{coarser}/$end/U ] || return 0
     [ "$latest" = $before ] || [ "$latest" = $mapped ] || return 0
-    for place in {places}; do
-        mkdir -p "$place/$mapped"
-        cp "$place/$before/U" "$place/$before/p" "$place/$mapped"
-    done
-    mapFields ../{coarser} -consistent -sourceTime $end{flags} >>log.mapFields 2>&1 || clear_start
+    mkdir -p $mapped
+    cp 0/U 0/p $mapped
+    {{ mapFields ../{coarser} -consistent -sourceTime $end{distribution}; }} >>log.mapFields 2>&1 || clear_start
 }}
 clear_start() {{
-    for place in {places}; do rm -rf "$place/$((before + 1))"; done
+    for place in . {places}; do rm -rf "$place/$((before + 1))"; done
 }}
 )sh",
                        fmt::arg("coarser", facts.coarser),
                        fmt::arg("first_place", parallel ? "processor0" : "."),
-                       fmt::arg("places", parallel ? "processor*" : "."),
-                       fmt::arg("flags", parallel ? " -parallelSource -parallelTarget" : ""));
+                       fmt::arg("places", parallel ? "processor*" : ""),
+                       fmt::arg("distribution",
+                                parallel ? " && decomposePar -fields -time $mapped" : ""));
 }
 
 std::string rows_text(const CaseFacts& facts, const std::string& run) {
@@ -135,7 +134,8 @@ std::string run_script(const CaseFacts& facts) {
     text += runs_row_by_row(facts.plan) ? watch_function(facts) + rows_text(facts, run)
                                         : one_run_text(facts, run);
     if (parallel)
-        text += "reconstructPar -latestTime >log.reconstructPar 2>&1\n";
+        text += fmt::format("reconstructPar{} >log.reconstructPar 2>&1\n",
+                            runs_row_by_row(facts.plan) ? "" : " -latestTime");
     return text;
 }
 

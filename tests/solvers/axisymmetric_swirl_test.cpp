@@ -251,5 +251,22 @@ TEST(EndFactorCurve, interpolated_values_hold_their_error) {
     }
 }
 
+TEST(EndFactorCurve, speeds_beyond_the_bound_of_work_are_less_accurate_and_say_so) {
+    const flow::AnyFlowLaw law = flow::Bingham{500.0, 1.0};
+    const std::vector<double> speeds{0.1, 0.2};
+    const geometry::DinBob bob{0.014, 0.0152};
+    const ProgressSink silent;
+    // Nothing is left for the second speed.
+    const EndFactorCurve curve(bob, law, speeds, 1e-6, silent, 1.0);
+    EXPECT_FALSE(curve.reached());
+    const auto first = curve.at(0.1);
+    const auto second = curve.at(0.2);
+    EXPECT_GT(second.relative_error, 1e-6);
+    EXPECT_GT(second.relative_error, first.relative_error);
+    const CreepingTorque own = creeping_torque(bob, law, 0.2, {.accuracy = 1e-5});
+    EXPECT_LE(std::abs(second.end_factor / own.end_factor - 1.0),
+              second.relative_error + own.error / own.torque);
+}
+
 } // namespace
 } // namespace searle::solvers::axisymmetric
