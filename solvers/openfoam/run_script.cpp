@@ -127,7 +127,7 @@ std::string run_script(const CaseFacts& facts) {
     std::string text =
         "#!/bin/sh\n# Runs this case to its end, or on from where it stands; searle collect reads "
         "the result.\nset -eu\ncd \"$(dirname \"$0\")\"\n"
-        ": \"${WM_PROJECT_DIR:?set it to the folder that holds OpenFOAM's etc/controlDict}\"\n";
+        ": \"${WM_PROJECT_DIR:?set it to the folder that holds etc/controlDict of OpenFOAM}\"\n";
     if (parallel)
         text += "[ -d processor0 ] || decomposePar >log.decomposePar 2>&1\n";
     text += start_function(parallel);
