@@ -190,15 +190,16 @@ std::string control_text(const CaseFacts& facts) {
     const bool row_by_row = runs_row_by_row(facts.plan);
     const double interval = row_by_row ? facts.plan.iterations : end / writes_in_a_run;
     return header("dictionary", "system", "controlDict") +
-           fmt::format("application     {};\nstartFrom       latestTime;\nstartTime       0;\n"
-                       "stopAt          endTime;\nendTime         {:.17g};\n"
-                       "deltaT          {:.17g};\nwriteControl    runTime;\nwriteInterval   {:.17g};\n"
-                       "purgeWrite      {};\nwriteFormat     ascii;\nwritePrecision  15;\n"
-                       "writeCompression off;\ntimeFormat      general;\ntimePrecision   12;\n"
-                       "runTimeModifiable true;\n\n"
-                       "OptimisationSwitches\n{{\n    fileModificationSkew 0;\n}}\n\n",
-                       name_of(facts.plan.application), end, facts.time_step,
-                       interval, row_by_row ? 0 : 2) +
+           fmt::format(
+               "application     {};\nstartFrom       latestTime;\nstartTime       0;\n"
+               "stopAt          endTime;\nendTime         {:.17g};\n"
+               "deltaT          {:.17g};\nwriteControl    runTime;\nwriteInterval   {:.17g};\n"
+               "purgeWrite      {};\nwriteFormat     ascii;\nwritePrecision  15;\n"
+               "writeCompression off;\ntimeFormat      general;\ntimePrecision   12;\n"
+               "runTimeModifiable true;\n\n"
+               "OptimisationSwitches\n{{\n    fileModificationSkew 0;\n}}\n\n",
+               name_of(facts.plan.application), end, facts.time_step, interval,
+               row_by_row ? 0 : 2) +
            "functions\n{\n" + function_object(facts, "torque_bob", rotor_patches(facts.mesh)) +
            function_object(facts, "torque_cup", cup_patches(facts.mesh)) + "}\n";
 }

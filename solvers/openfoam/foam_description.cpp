@@ -90,8 +90,8 @@ void describe(const Scene& scene, const FoamPlan& foam, Plan& plan) {
             scene.profile ? "" : "; pimpleFoam in a wedge leaves it out"));
     const double across = mesh_settings(scene, foam, 1).cells_across_gap.value_or(40);
     const double cells =
-        across * (foam.vortices                                           ? across
-                  : has_section                       ? 15.0 * across
+        across * (foam.vortices                     ? across
+                  : has_section                     ? 15.0 * across
                   : foam.coarsest_angular_cells > 0 ? 2.0 * foam.coarsest_angular_cells
                   : foam.skew_cells                 ? 2.0 * across
                                                     : 1.0);

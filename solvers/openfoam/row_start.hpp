@@ -27,8 +27,8 @@ struct RowStart {
     [[nodiscard]] bool can_be_mapped() const;
     /// Puts fields with the conditions at the boundary, for mapFields to write over.
     void prepare() const;
-    /// The command of mapFields, run in `folder`: from whole to whole, since nothing is interpolated
-    /// between the parts of two processors.
+    /// The command of mapFields, run in `folder`: from whole to whole, since nothing is
+    /// interpolated between the parts of two processors.
     [[nodiscard]] std::vector<std::string> command() const;
     [[nodiscard]] bool is_parallel() const;
     /// The command, run in `folder`, that gives each processor its part of what was mapped.

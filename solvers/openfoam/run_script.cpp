@@ -31,7 +31,8 @@ watch_row() {{
 /// A shell function that starts a row from the flow that the level before found for it.
 std::string map_function(const CaseFacts& facts) {
     const bool parallel = facts.scene.solver.processors > 1;
-    return fmt::format(R"sh(
+    return fmt::format(
+        R"sh(
 # A row starts from what the level before found for it, where that was solved.
 map_start() {{
     mapped=$((before + 1))
@@ -46,11 +47,9 @@ clear_start() {{
     for place in . {places}; do rm -rf "$place/$((before + 1))"; done
 }}
 )sh",
-                       fmt::arg("coarser", facts.coarser),
-                       fmt::arg("first_place", parallel ? "processor0" : "."),
-                       fmt::arg("places", parallel ? "processor*" : ""),
-                       fmt::arg("distribution",
-                                parallel ? " && decomposePar -fields -time $mapped" : ""));
+        fmt::arg("coarser", facts.coarser), fmt::arg("first_place", parallel ? "processor0" : "."),
+        fmt::arg("places", parallel ? "processor*" : ""),
+        fmt::arg("distribution", parallel ? " && decomposePar -fields -time $mapped" : ""));
 }
 
 std::string rows_text(const CaseFacts& facts, const std::string& run) {
