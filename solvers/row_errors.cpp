@@ -75,14 +75,15 @@ std::vector<double> level_changes(std::span<const double> before, std::span<cons
 
 std::vector<double> level_errors(std::span<const double> change, std::span<const double> before) {
     constexpr double safety = 2.0;
+    constexpr double safety_of_two = 3.0;
     /// At least this share of a row's last change counts.
     constexpr double least_share = 0.5;
     std::vector<double> error(change.size());
     for (std::size_t k = 0; k < change.size(); ++k) {
-        const double share = k < before.size() && before[k] > 0.0
-                                 ? std::clamp(2.0 * change[k] / before[k], least_share, 1.0)
-                                 : 1.0;
-        error[k] = safety * share * change[k];
+        const bool is_third = k < before.size() && before[k] > 0.0;
+        const double share =
+            is_third ? std::clamp(2.0 * change[k] / before[k], least_share, 1.0) : 1.0;
+        error[k] = (is_third ? safety : safety_of_two) * share * change[k];
     }
     return error;
 }

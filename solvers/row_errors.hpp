@@ -44,10 +44,11 @@ namespace searle::solvers {
                                                 const rheometry::SpeedHistory& history,
                                                 double tolerance);
 
-/// Errors of rows whose torque was found on levels of resolution in time and space: twice the last
-/// change, because the coarser of two levels may err in the same direction as the finer one (just
-/// after a jump, while vortices grow); once two changes of a row are known, later ones shrink at
-/// least as they did, of which half is believed, but the whole of the last change is claimed.
+/// Errors of rows whose torque was found on levels of resolution in time and space: three times the
+/// last change, because the coarser of two levels may err in the same direction as the finer one
+/// (just after a jump; where vortices begin to grow, 2.6 times was seen); once two changes of a row
+/// are known, later ones shrink at least as they did, of which half is believed, but the whole of
+/// the last change is claimed.
 /// @param change, before  level_changes of the last and the last but one level; `before` may have
 ///                        fewer rows
 [[nodiscard]] std::vector<double> level_errors(std::span<const double> change,

@@ -46,6 +46,10 @@ constexpr double safety_of_two = 3.0;
 /// Of more levels: at least this share of the last difference, or of a tenth of the one before.
 constexpr double least_share = 0.6;
 constexpr double earlier_share = 0.1;
+/// Of a fluid with a yield stress the changes fall with the power 0.6 of the rounding, which is
+/// halved (Bingham fluids around DIN bobs): by 0.65, and by no more than this where they scatter.
+constexpr double slowest_yielding = 0.8;
+constexpr double safety_of_series = 1.25;
 /// A thickening fluid's Reynolds number may not fall with the speed.
 constexpr int most_halvings = 40;
 /// Share of the work at one speed where the onset of Taylor vortices is left this many times
@@ -54,9 +58,13 @@ constexpr double share_far_past_onset = 0.1;
 constexpr double far_past_onset = 10.0;
 
 /// @param before  the change of the level before; 0 where there is none
-double error_from_changes(double change, double before) {
+double error_from_changes(double change, double before, bool yields) {
     if (before == 0.0) {
         return safety_of_two * change;
+    }
+    if (yields) {
+        const double fall = std::min(change / before, slowest_yielding);
+        return safety_of_series * std::max(fall / (1.0 - fall) * change, earlier_share * before);
     }
     // Later changes shrink at least as the last two did; half of that is believed.
     const double share = std::clamp(2.0 * change / before, least_share, 1.0);
@@ -279,7 +287,8 @@ InertiaFactor SteadySecondaryFlow::solve_at(double speed, const ProgressSink& pr
             result.relative_error = std::abs(factor - 1.0);
         } else {
             const double change = std::abs(factor - before) / factor;
-            result.relative_error = error_from_changes(change, found > 2 ? change_before : 0.0);
+            result.relative_error = error_from_changes(change, found > 2 ? change_before : 0.0,
+                                                       laws::flow::yield_stress(law_) > 0.0);
             change_before = change;
         }
         result.relative_error += iteration_share * accuracy_;
