@@ -63,6 +63,19 @@ TEST(SteadySecondaryFlow, plug_is_followed_from_level_to_level) {
               found.relative_error + best.relative_error);
 }
 
+/// Scene 113 of seed 72 of `searle stress fluid`: with the rounding of the yield surface, which
+/// each level halves, the changes of the factor fall by 0.65 a level, not by a
+/// half: 1.01963, 1.01922, 1.01896, 1.01880 on the last four; their series ends at 1.01857.
+TEST(SteadySecondaryFlow, claimed_errors_hold_the_end_of_a_slow_series) {
+    const geometry::DinBob bob{.bob_radius = 0.014201823, .cup_radius = 0.014201823 * 1.06868};
+    const flow::Bingham fluid{1.26341595, 0.0111800715};
+    for (const double accuracy : {2e-3, 7e-4}) {
+        SteadySecondaryFlow steady(bob, fluid, 727.384, accuracy);
+        const InertiaFactor found = steady.at(34.883);
+        EXPECT_LE(std::abs(found.factor / 1.01857 - 1.0), found.relative_error) << accuracy;
+    }
+}
+
 /// Speeds at which the first levels lie close by accident (5 1/s) or cross (near 37 1/s): what is
 /// claimed at each stop on the way holds the finest level's factor.
 TEST(SteadySecondaryFlow, claimed_errors_hold_where_levels_cross) {

@@ -67,6 +67,13 @@ TEST(TurnsWithinAPiece, is_told_from_turning_at_a_jump) {
     EXPECT_FALSE(turns({}));
 }
 
+TEST(LevelErrors, two_levels_claim_three_times_their_difference_and_three_what_they_tell) {
+    const std::vector<double> change{1.0, 1.0, 1.0};
+    EXPECT_EQ(level_errors(change, {}), (std::vector{3.0, 3.0, 3.0}));
+    // The last change fell to a tenth, to a half, and not at all.
+    EXPECT_EQ(level_errors(change, std::vector{10.0, 2.0, 0.5}), (std::vector{1.0, 2.0, 2.0}));
+}
+
 TEST(StepsOfLevel, the_next_level_takes_a_share_of_the_step_it_is_in) {
     StepsOfLevel steps;
     EXPECT_TRUE(std::isinf(steps.longest_from(0.0)));
