@@ -70,7 +70,7 @@ TEST(TransientStops, a_row_beside_a_turn_holds_its_bar_where_two_levels_agree) {
         .pieces = {{0.0, duration, 0.0, up}, {duration, 2.0 * duration, up, down}},
         .row_times = {}};
     for (int k = 1; k <= 20; ++k) {
-        history.row_times.push_back(duration * k / 10.0);
+        history.row_times.push_back(duration * (k / 10.0));
     }
     const std::vector<RotorGap> gap{
         {{.planar = false, .inner = 0.0131848734, .outer = 0.0134100473, .density = 1179.57},
