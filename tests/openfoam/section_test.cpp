@@ -120,6 +120,23 @@ TEST_F(OpenFoamSection, a_row_that_cannot_be_mapped_starts_from_rest) {
     EXPECT_GT(2 * loads("water.openfoam/level-2").size(), loads("water.openfoam/level-1").size());
 }
 
+TEST_F(OpenFoamSection, two_processes_have_the_secondary_flow_of_one) {
+    write_water_row();
+    run_water_row();
+    const Outcome outcome = run(
+        {.arguments = {"run", "water.toml", "-o", "two", "--quiet", "--set", "solver.processors=2"},
+         .directory = folder.path()});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(std::filesystem::exists(folder / "two.openfoam/level-2/log.mapFields"));
+    for (const std::string level : {"level-1", "level-2"}) {
+        EXPECT_EQ(loads("two.openfoam/" + level).size(), loads("water.openfoam/" + level).size());
+        EXPECT_NEAR(last_torque("two.openfoam/" + level) / last_torque("water.openfoam/" + level),
+                    1.0, 1e-9);
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "two.openfoam/level-2/1"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "two.openfoam/level-2/processor0/1"));
+}
+
 TEST_F(OpenFoamSection, a_mapped_row_that_reaches_its_last_iteration_leaves_its_own_fields) {
     using namespace solvers;
     Scene scene;
