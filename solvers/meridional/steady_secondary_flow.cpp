@@ -47,9 +47,13 @@ constexpr double safety_of_two = 3.0;
 constexpr double least_share = 0.6;
 constexpr double earlier_share = 0.1;
 /// Of a fluid with a yield stress the changes fall with the power 0.6 of the rounding, which is
-/// halved (Bingham fluids around DIN bobs): by 0.65, and by no more than this where they scatter.
-constexpr double slowest_yielding = 0.8;
+/// halved (Bingham fluids around DIN bobs): by this much, and where they scatter by no more than
+/// ...
+constexpr double usual_yielding = 0.65;
+constexpr double slowest_yielding = 0.8; ///< ... this.
 constexpr double safety_of_series = 1.25;
+/// Two levels, which may cross, leave at least this much of what inertia adds (9 % was seen).
+constexpr double least_of_two_yielding = 0.15;
 /// A thickening fluid's Reynolds number may not fall with the speed.
 constexpr int most_halvings = 40;
 /// Share of the work at one speed where the onset of Taylor vortices is left this many times
@@ -58,12 +62,13 @@ constexpr double share_far_past_onset = 0.1;
 constexpr double far_past_onset = 10.0;
 
 /// @param before  the change of the level before; 0 where there is none
-double error_from_changes(double change, double before, bool yields) {
+/// @param effect  |F - 1|, of a fluid with a yield stress; else 0
+double error_from_changes(double change, double before, double effect) {
     if (before == 0.0) {
-        return safety_of_two * change;
+        return std::max(safety_of_two * change, least_of_two_yielding * effect);
     }
-    if (yields) {
-        const double fall = std::min(change / before, slowest_yielding);
+    if (effect > 0.0) {
+        const double fall = std::clamp(change / before, usual_yielding, slowest_yielding);
         return safety_of_series * std::max(fall / (1.0 - fall) * change, earlier_share * before);
     }
     // Later changes shrink at least as the last two did; half of that is believed.
@@ -242,6 +247,7 @@ InertiaFactor SteadySecondaryFlow::solve_at(double speed, const ProgressSink& pr
     const double onsets = fluid_at(speed, smooth_rounding).reynolds() * gap /
                           stability::taylor_threshold(gap).reynolds;
     const bool is_past_onset = onsets > 1.0;
+    const bool yields = laws::flow::yield_stress(law_) > 0.0;
     if (onsets > far_past_onset) {
         work_left_ *= share_far_past_onset;
     }
@@ -288,7 +294,7 @@ InertiaFactor SteadySecondaryFlow::solve_at(double speed, const ProgressSink& pr
         } else {
             const double change = std::abs(factor - before) / factor;
             result.relative_error = error_from_changes(change, found > 2 ? change_before : 0.0,
-                                                       laws::flow::yield_stress(law_) > 0.0);
+                                                       yields ? std::abs(factor - 1.0) : 0.0);
             change_before = change;
         }
         result.relative_error += iteration_share * accuracy_;

@@ -283,19 +283,15 @@ std::string solution_text(const CaseFacts& facts) {
                                               "    pRefCell        0;\n    pRefValue       0;\n",
                                               has_section && !steady ? 1 : 0);
     return header("dictionary", "system", "fvSolution") +
-           fmt::format(
-               "solvers\n{{\n    p\n    {{\n        {0}\n"
-               "        tolerance       1e-10;\n        relTol          {1};\n    }}\n"
-               "    pFinal\n    {{\n        $p;\n        relTol          0;\n    }}\n"
-               "    U\n    {{\n        solver          PBiCGStab;\n"
-               "        preconditioner  {4};\n        tolerance       1e-11;\n"
-               "        relTol          {2};\n    }}\n"
-               "    UFinal\n    {{\n        $U;\n        relTol          {3};\n    }}\n}}\n\n",
-               pressure, steady ? "0.1" : "0",
-               !steady       ? "0"
-               : has_section ? "0.1"
-                             : "0.01",
-               steady ? "0.01" : "0", is_any_partition ? "diagonal" : "DILU") +
+           fmt::format("solvers\n{{\n    p\n    {{\n        {0}\n"
+                       "        tolerance       1e-10;\n        relTol          {1};\n    }}\n"
+                       "    pFinal\n    {{\n        $p;\n        relTol          0;\n    }}\n"
+                       "    U\n    {{\n        solver          PBiCGStab;\n"
+                       "        preconditioner  {3};\n        tolerance       1e-11;\n"
+                       "        relTol          {2};\n    }}\n"
+                       "    UFinal\n    {{\n        $U;\n    }}\n}}\n\n",
+                       pressure, steady ? "0.1" : "0", steady ? "0.01" : "0",
+                       is_any_partition ? "diagonal" : "DILU") +
            algorithms_text(facts, algorithm);
 }
 

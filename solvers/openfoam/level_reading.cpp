@@ -129,8 +129,8 @@ void read_steady(const LevelTask& task, const LevelCase& level, LevelResult& res
         const double torque = -factor * bob.back().value;
         const double rest = std::abs(torque - factor * cup.back().value);
         result.torque.push_back(torque);
-        // A slow part of what moves may hide behind a quicker one: a residual that ended the row
-        // leaves what it was chosen for.
+        // A slow part of what moves may hide behind a quicker one: no less than what the residual
+        // that ends rows was chosen for.
         const double left = runs_row_by_row(task.plan)
                                 ? unsettled_part(task.scene.solver.accuracy) * std::abs(torque)
                                 : 0.0;

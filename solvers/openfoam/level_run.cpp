@@ -38,7 +38,7 @@ public:
             run_rows(result);
         else
             run_in_one(result);
-        if (is_parallel() && result.failure.empty())
+        if (is_parallel() && result.failure.empty() && !result.interrupted)
             reconstruct();
     }
     /// A program that found no room ends in any way, or not at all.
@@ -124,6 +124,10 @@ private:
     }
 
     void run_in_one(LevelResult& result) {
+        if (stop_asked_) {
+            result.interrupted = true;
+            return;
+        }
         set_control(task_.folder, "stopAt", "endTime");
         const double end = end_time(level_.facts());
         prepare_start();

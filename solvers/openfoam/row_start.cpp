@@ -25,6 +25,10 @@ bool RowStart::can_be_mapped() const {
 }
 
 void RowStart::prepare() const {
+    // mapFields writes to the latest time of the whole case, of which parts may have lost theirs.
+    for (const std::string& time : times_in(folder))
+        if (std::stod(time) > start_of_row(plan, row))
+            fs::remove_all(folder / time);
     fs::create_directories(folder / mapped());
     for (const char* field : {"U", "p"})
         fs::copy_file(folder / "0" / field, folder / mapped() / field,

@@ -39,6 +39,10 @@ map_start() {{
     latest=$(ls {first_place} | grep -E '^[0-9]+$' | sort -n | tail -n 1)
     [ -f ../{coarser}/$end/U ] || return 0
     [ "$latest" = $before ] || [ "$latest" = $mapped ] || return 0
+    [ ! -f {first_place}/$mapped/phi ] || return 0
+    for time in $(ls . | grep -E '^[0-9]+$'); do
+        if [ $time -gt $before ]; then rm -rf $time; fi
+    done
     mkdir -p $mapped
     cp 0/U 0/p $mapped
     {{ mapFields ../{coarser} -consistent -sourceTime $end{distribution}; }} >>log.mapFields 2>&1 || clear_start

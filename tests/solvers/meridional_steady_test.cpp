@@ -76,6 +76,24 @@ TEST(SteadySecondaryFlow, claimed_errors_hold_the_end_of_a_slow_series) {
     }
 }
 
+/// Two levels of a weakly yielding fluid in strong secondary flow cross: F = 1.15768 on the second,
+/// 1.15565 from the fourth on; three times their difference was a quarter of the error.
+TEST(SteadySecondaryFlow, claimed_errors_hold_where_levels_of_a_yielding_fluid_cross) {
+    const geometry::DinBob bob{.bob_radius = 0.014, .cup_radius = 0.0152};
+    for (const double yield : {0.003, 0.01, 0.03}) {
+        const flow::Bingham fluid{yield, 0.003};
+        SteadySecondaryFlow fine(bob, fluid, 1000.0, 1e-4);
+        const InertiaFactor best = fine.at(20.0);
+        for (const double accuracy : {1e-2, 2e-3}) {
+            SteadySecondaryFlow steady(bob, fluid, 1000.0, accuracy);
+            const InertiaFactor found = steady.at(20.0);
+            EXPECT_LE(std::abs(found.factor / best.factor - 1.0),
+                      found.relative_error + best.relative_error)
+                << yield << ' ' << accuracy;
+        }
+    }
+}
+
 /// Speeds at which the first levels lie close by accident (5 1/s) or cross (near 37 1/s): what is
 /// claimed at each stop on the way holds the finest level's factor.
 TEST(SteadySecondaryFlow, claimed_errors_hold_where_levels_cross) {
