@@ -147,7 +147,7 @@ TEST_F(OpenFoamEngine, written_cases_run_by_hand_and_are_collected) {
 // line.
 TEST_F(OpenFoamEngine, steady_rows_of_a_slice_go_on_in_the_middle_of_one) {
     const std::vector<std::string> settings{
-        "solver.engine=openfoam", "solver.accuracy=0.02", "mesh.cells_across_gap=1280",
+        "solver.engine=openfoam", "solver.accuracy=0.02", "mesh.cells_across_gap=4096",
         "protocol={type=\"steps\", shear_rates=[\"0.01 1/s\", \"100 1/s\", \"-0.01 1/s\"], "
         "hold=\"steady\"}"};
     ASSERT_EQ(run_case("single-gap-slurry.toml", "whole", settings).exit_code, 0);
@@ -173,7 +173,7 @@ TEST_F(OpenFoamEngine, steady_rows_of_a_slice_go_on_in_the_middle_of_one) {
 TEST_F(OpenFoamEngine, a_row_that_was_killed_is_run_again) {
     const std::vector<std::string> settings{
         "solver.engine=openfoam", "solver.application=simpleFoam", "solver.accuracy=0.01",
-        "mesh.cells_across_gap=160",
+        "mesh.cells_across_gap=480",
         "protocol={type=\"steps\", shear_rates=[\"1 1/s\", \"3 1/s\"], hold=\"steady\"}"};
     ASSERT_EQ(run_case("single-gap-water.toml", "whole", settings).exit_code, 0);
     std::vector<std::string> words = words_for("single-gap-water.toml", "parts", settings);
