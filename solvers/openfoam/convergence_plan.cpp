@@ -122,6 +122,14 @@ double residual_of_rows(const Scene& scene, const Plan& plan) {
 
 } // namespace
 
+double least_rate(const Scene& scene, double speed) {
+    const radial::SteadyInstrumentFlow flow =
+        radial::steady_instrument_flow(scene.instrument, scene.fluid.law, speed);
+    if (flow.partly_sheared)
+        return 0.0;
+    return span_of(scene.instrument, scene.fluid.law, flow.rotor_wall_rate).least;
+}
+
 double flow_index_of(const laws::flow::AnyFlowLaw& law) {
     return std::visit(
         [](const auto& it) {

@@ -10,6 +10,11 @@ namespace searle::solvers::openfoam {
 /// The law's n: where it has one d ln stress / d ln rate far from its bends, else 1.
 [[nodiscard]] double flow_index_of(const laws::flow::AnyFlowLaw& law);
 
+/// The least rate of shear in any gap of the instrument, ends left out, 1/s, >= 0; 0 with a plug. A
+/// double gap's inner gap counts by a bound.
+/// @param speed  of the rotor, steady, != 0
+[[nodiscard]] double least_rate(const Scene& scene, double speed);
+
 /// What a steady row may still move when its residual ends it, over its torque: a twentieth of the
 /// accuracy, and half of what the balance of its two torques may lack (0.2 %).
 [[nodiscard]] constexpr double unsettled_part(double accuracy) {

@@ -1,6 +1,7 @@
 #include "solvers/openfoam/viscosity_cap.hpp"
 
 #include "laws/flow/flow_law.hpp"
+#include "solvers/openfoam/convergence_plan.hpp"
 #include "solvers/openfoam/transport.hpp"
 
 #include <algorithm>
@@ -65,8 +66,10 @@ void choose_cap(const Scene& scene, const Plan& plan, FoamPlan& foam) {
     const bool rests_at_ends = scene.profile || geometry::has_ends(scene.instrument);
     for (std::size_t row = 0; row < plan.rows.size(); ++row) {
         const double rate = std::abs(plan.rows[row].shear_rate);
-        const bool in_gap = plan.rows[row].regime.find("partly-sheared") != std::string::npos ||
-                            rate < 10.0 * cap_rate;
+        // Of a double gap the inner one is sheared less than the one outside of the rotor.
+        const bool in_gap =
+            plan.rows[row].regime.find("partly-sheared") != std::string::npos ||
+            (rate != 0.0 && least_rate(scene, plan.rows[row].speed) < 10.0 * cap_rate);
         // Nothing tells what a cap below the viscosity of what is sheared does.
         if (rate != 0.0 && viscosity(rate) > foam.viscosity_cap)
             foam.cap_error[row] = 1.0;

@@ -117,5 +117,22 @@ TEST(Plan, openfoam_caps_no_viscosity_of_a_thickening_fluid) {
     EXPECT_EQ(openfoam::plan_foam(scene, plan).cap_error, (std::vector{0.0, 1.0}));
 }
 
+// Scene 20 of seed 81: of the inner gap, ten times as wide as the outer one, a part was sheared at
+// the cap; nothing was claimed, and the torque was 6e-4 short.
+TEST(Plan, openfoam_claims_the_cap_of_the_slower_gap) {
+    Scene scene = water_ramp();
+    scene.solver.engine = Engine::openfoam;
+    scene.solver.accuracy = 0.08858;
+    scene.instrument = geometry::DoubleGap{
+        .radii = {0.0191832232, 0.023040699, 0.02892615, 0.0292341275}, .height = 0.0383664};
+    scene.fluid = {laws::flow::Casson{0.00357648271, 0.00806974176}, 712.023};
+    scene.protocol.program = Steps{{rate(0.113362), rate(5.03771)}, {}};
+    const Plan plan = make_plan(scene);
+    const openfoam::FoamPlan foam = openfoam::plan_foam(scene, plan);
+    EXPECT_GT(foam.cap_error.at(0), 6e-4);
+    EXPECT_LT(foam.cap_error.at(0), 0.01);
+    EXPECT_EQ(foam.cap_error.at(1), 0.0);
+}
+
 } // namespace
 } // namespace searle::solvers
