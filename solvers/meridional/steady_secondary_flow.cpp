@@ -47,10 +47,9 @@ constexpr double safety_of_two = 3.0;
 constexpr double least_share = 0.6;
 constexpr double earlier_share = 0.1;
 /// Of a fluid with a yield stress the changes fall with the power 0.6 of the rounding, which is
-/// halved (Bingham fluids around DIN bobs): by this much, and where they scatter by no more than
-/// ...
+/// halved (Bingham fluids around DIN bobs), or by less where they scatter.
 constexpr double usual_yielding = 0.65;
-constexpr double slowest_yielding = 0.8; ///< ... this.
+constexpr double slowest_yielding = 0.8;
 constexpr double safety_of_series = 1.25;
 /// Two levels, which may cross, leave at least this much of what inertia adds (9 % was seen).
 constexpr double least_of_two_yielding = 0.15;

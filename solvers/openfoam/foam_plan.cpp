@@ -123,7 +123,7 @@ bool leaves_out_end_flow(const Scene& scene, const Plan& plan) {
 /// in two.
 void find_swirl(const Scene& scene, const Plan& plan, FoamPlan& foam) {
     const geometry::MeshSettings mesh = mesh_settings(scene, foam, 0);
-    foam.end_flow_left_out = leaves_out_end_flow(scene, plan); // where the program can
+    const bool may_leave_out = leaves_out_end_flow(scene, plan);
     const auto cells = mesh.cells.value_or(geometry::CellStyle::hexahedra);
     const bool is_endless_mesh = is_slice(scene, foam.vortices) && !mesh.floor_clearance;
     const bool one_cell_high = mesh.axial_cells.value_or(mesh.slice_height ? 1 : 0) == 1 &&
@@ -137,13 +137,13 @@ void find_swirl(const Scene& scene, const Plan& plan, FoamPlan& foam) {
     const bool may_leave_pressure = foam.application == FoamApplication::pimple_foam ||
                                     (foam.one_cell_along && !scene.solver.application);
     if (!foam.one_cell_along)
-        foam.swirl_alone = ((is_endless_mesh && one_cell_high) || foam.end_flow_left_out) &&
-                           !foam.steady && may_leave_pressure;
+        foam.swirl_alone = ((is_endless_mesh && one_cell_high) || may_leave_out) && !foam.steady &&
+                           may_leave_pressure;
     else if (is_endless_mesh && !foam.skew_cells)
         foam.swirl_alone = true;
     else
-        foam.swirl_alone = (is_endless_mesh || foam.end_flow_left_out) && may_leave_pressure;
-    foam.end_flow_left_out = foam.end_flow_left_out && foam.swirl_alone;
+        foam.swirl_alone = (is_endless_mesh || may_leave_out) && may_leave_pressure;
+    foam.end_flow_left_out = may_leave_out && foam.swirl_alone;
 }
 
 void choose_time(const Scene& scene, const Plan& plan, FoamPlan& foam) {

@@ -161,7 +161,7 @@ private:
             set_control(task_.folder, "endTime", from.end());
             set_control(task_.folder, "stopAt", "endTime");
             set_control(task_.folder, "writeInterval",
-                        fmt::format("{:.17g}", std::stod(from.end()) - std::stod(start_)));
+                        fmt::format("{:.17g}", end_of_row(task_.plan, row_) - std::stod(start_)));
             is_settled_ = false;
             note_end(start(solver_command(), application()), result);
             if (result.interrupted || !result.failure.empty())
@@ -181,7 +181,7 @@ private:
         int code = 0;
         try {
             code = start(from.command(), "mapFields");
-            if (code == 0 && from.is_parallel() && !stop_asked_)
+            if (code == 0 && is_parallel() && !stop_asked_)
                 code = start(from.distribution(), "mapFields");
         } catch (const StartFailure&) {
             code = -1; // an installation without it

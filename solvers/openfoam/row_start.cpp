@@ -39,8 +39,6 @@ std::vector<std::string> RowStart::command() const {
     return {"mapFields", coarser.string(), "-consistent", "-sourceTime", end()};
 }
 
-bool RowStart::is_parallel() const { return places.size() > 1 || places.front() != folder; }
-
 std::vector<std::string> RowStart::distribution() const {
     return {"decomposePar", "-fields", "-time", mapped()};
 }

@@ -30,8 +30,7 @@ struct RowStart {
     /// The command of mapFields, run in `folder`: from whole to whole, since nothing is
     /// interpolated between the parts of two processors.
     [[nodiscard]] std::vector<std::string> command() const;
-    [[nodiscard]] bool is_parallel() const;
-    /// The command, run in `folder`, that gives each processor its part of what was mapped.
+    /// The command, run in `folder`, that gives each of several processors its part of that.
     [[nodiscard]] std::vector<std::string> distribution() const;
     /// Removes what was mapped: the row was solved, or a command failed.
     void clear() const;
